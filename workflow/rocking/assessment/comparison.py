@@ -12,7 +12,7 @@ import pandas as pd
 
 from rocking.risk.fragility import fit
 from rocking.stations import FEWEST, interval, resampled
-from rocking.tables import read_tables
+from rocking.tables import read_frame, read_tables
 from yade_scripts.model import registry
 
 EXACT = 1e-6  # relative half width of the interval that stands for an exact ratio
@@ -39,10 +39,10 @@ def gather(runs):
     for name, facts in runs.items():
         if len(read_tables(facts["parts"])):
             continue
-        checks = pd.read_csv(facts["checks"])
+        checks = read_frame(facts["checks"])
         for path in facts["collapse"]:
             given = [*KEYS, "model", "pga_max_g"]
-            long = pd.read_csv(path).melt(given, [*QUANTILES], "level", "pga_dynamic_g")
+            long = read_frame(path).melt(given, [*QUANTILES], "level", "pga_dynamic_g")
             both = long.assign(level=long["level"].map(QUANTILES)).merge(checks, on=KEYS)
             parts.append(both.assign(**{key: facts[key] for key in FACTS}, run=name))
     return pd.concat(parts, ignore_index=True)

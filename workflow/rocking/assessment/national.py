@@ -15,6 +15,9 @@ from rocking.risk.hazard import Hazard
 
 PARAMETERS = ("ag_g", "f0", "tc_star_s")
 PERIOD = "return_period_years"
+# a_g [g] of the national grid at 475 years lies between 0.03 and 0.28, and grows with the return
+# period as its power 0.42; half as much again, and a third, is no site of it.
+LEAST_G, MOST_G, AT_YEARS, GROWTH = 0.01, 0.42, 475.0, 0.42
 
 
 def check_rows(rows):
@@ -23,6 +26,8 @@ def check_rows(rows):
         raise ValueError(
             f"assessment.hazard: {len(rows)} row; expected two or more, by return period"
         )
+    for number, row in enumerate(rows, 1):
+        _refuse_implausible(number, row)
     for number, (one, two) in enumerate(zip(rows, rows[1:], strict=False), 2):
         for key in (PERIOD, "ag_g"):
             if two[key] <= one[key]:
@@ -30,6 +35,20 @@ def check_rows(rows):
                     f"assessment.hazard: row {number}: {key} = {two[key]:g} after {one[key]:g}; "
                     "expected return periods and a_g that rise"
                 )
+
+
+def _refuse_implausible(number, row):
+    """Refuse an a_g that the national grid has nowhere: in tenths of g as printed, or in m/s²."""
+    ag, grown = row["ag_g"], (row[PERIOD] / AT_YEARS) ** GROWTH
+    if LEAST_G * grown <= ag <= MOST_G * grown:
+        return
+    meant = ""
+    if ag > MOST_G * grown:
+        meant = f": in tenths of g, as the table is printed, it is {0.1 * ag:.3g} g"
+    raise ValueError(
+        f"assessment.hazard: row {number}: ag_g = {ag:g} at {row[PERIOD]:g} years; expected g, "
+        f"{LEAST_G * grown:.2g} to {MOST_G * grown:.2g} there{meant}"
+    )
 
 
 def row_at(rows, return_period_years):

@@ -19,6 +19,7 @@ from rocking.assessment.dynamic_check import Limits, limits_of
 from rocking.assessment.family import WHOLE_PART
 from rocking.collapse.case import Case
 from rocking.configuration.facade import TooStockyError
+from rocking.tables import read_frame
 
 COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "side", "pga_fails_g"]
 COLUMNS += ["d0_m", "d_slv_m", "d_slc_m", "shaken", "why_not", "why_words"]
@@ -121,7 +122,7 @@ def cases_of(case, path=None):
     """Cases by part: of the whole façade; with the file of a table what else is shaken, instead."""
     if path is None:
         return {WHOLE_PART: case}
-    every = cases(case, pd.read_csv(path))
+    every = cases(case, read_frame(path))
     return {row.part: own for row, own in every if row.part != WHOLE_PART}
 
 

@@ -1,7 +1,8 @@
 """Post-processing of incremental dynamic analyses."""
 
 import numpy as np
-import pandas as pd
+
+from rocking.tables import read_frame
 
 COLUMNS = {
     "model",
@@ -22,7 +23,7 @@ def read_curve(path):
 
     ValueError if a column of the contract is missing.
     """
-    table = pd.read_csv(path)
+    table = read_frame(path)
     missing = COLUMNS - set(table.columns)
     if missing:
         raise ValueError(f"{path}: missing column(s) {', '.join(sorted(missing))}")
@@ -35,7 +36,7 @@ def curve_key(table):
     return head["model"], head["record"], head["direction"]
 
 
-def by_curve(paths, read=pd.read_csv):
+def by_curve(paths, read=read_frame):
     """Return tables of files, each of one curve, by `curve_key`; empty ones are left out."""
     return {curve_key(table): table for table in map(read, paths) if len(table)}
 

@@ -2,15 +2,18 @@
 
 import json
 import math
-from collections.abc import Mapping
+import warnings
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from numbers import Real
 from os import PathLike
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from rocking.records import Record, RecordError, load, read_record
+from rocking.records.floor_file import read_floor_file
 from rocking.records.floors import floor_columns
 from rocking.records.record import UNITS_M_S2, check_plausible, measures, unit_name
 from rocking.shipped import found, shipped
@@ -42,6 +45,8 @@ class Motion:
         Its peak ground acceleration; 0: there is none.
     pause_s : float
         From the end of its motion to the beginning of this one.
+    of_chain : bool
+        Floor motions are those of the case's own chain of masses, as the workflow writes them.
 
     Examples
     --------
@@ -59,10 +64,13 @@ class Motion:
     first: "Motion | None" = None
     first_pga_g: float = 0.0
     pause_s: float = PAUSE_S
+    of_chain: bool = False
     _kept: dict = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def __post_init__(self):
         """Check that there is a motion."""
+        if self.floors is not None:
+            _check_floors(self.floors)
         if self.floors is None and not isinstance(self.record, Record):
             raise TypeError(
                 f"Motion of {type(self.record).__name__}: expected Motion.named(name), "
@@ -163,9 +171,54 @@ class Motion:
         return cls(record)
 
     @classmethod
-    def read_floors(cls, path, name=""):
-        """Floor motions of a file, see `floor_motions.read`."""
-        return cls(floors=floor_motions.read(path), label=name, file=str(path))
+    def read_floors(
+        cls,
+        path: str | PathLike,
+        name: str = "",
+        *,
+        units: str | None = None,
+        columns: Sequence[str] | None = None,
+        record: "Motion | Record | None" = None,
+    ) -> "Motion":
+        """Floor motions that another program computed, of absolute accelerations.
+
+        Parameters
+        ----------
+        path : path
+            Times, ground and floors from the lowest up, see `rocking.records.floor_file`.
+        name : str
+            The file's stem by default.
+        units : str, optional
+            Where the captions state none: "g", "m/s2", …
+        columns : sequence of str, optional
+            What the columns after the time are, "ground", "floor1", …, without captions.
+        record : Motion, optional
+            The ground motion that the other program was given, to be compared.
+
+        Raises
+        ------
+        RecordError
+            In one line that names the file and the column.
+
+        Notes
+        -----
+        The motions of all floors are scaled with the ground's peak: those of a yielding building
+        hold at the intensity for which they were computed alone.
+        """
+        given = record.record if isinstance(record, Motion) else record
+        floors = read_floor_file(str(path), units, columns, given)
+        return cls(floors=floors, label=name or Path(path).stem, file=str(path))
+
+    @classmethod
+    def of_workflow(cls, path: str | PathLike, name: str = "") -> "Motion":
+        """Floor motions that the workflow wrote, `smdof/{record}_{n}dof.csv`: of the case's chain.
+
+        Raises
+        ------
+        ValueError
+            In one line that names the file.
+        """
+        return cls(floors=floor_motions.read(path), label=name, file=str(path), of_chain=True)
 
     @property
     def name(self):
@@ -192,6 +245,11 @@ class Motion:
                 f"{type(variant).__name__} given: expected a Variant, as Variant(motion={{…}})"
             )
         out, given = self, _known(changes, variant.name)
+        if self.floors is not None and given.keys() & {"surrogate", "vertical"}:
+            raise ValueError(
+                f"variant '{variant.name}': motion {', '.join(given)}: expected the motion of a "
+                "record, not floor motions"
+            )
         if (how := given.pop("surrogate", None)) is not None:
             out = replace(out, record=Motion.named(out.name, **how).record)
         if (share := given.pop("vertical", None)) is not None:
@@ -219,6 +277,7 @@ class Motion:
             See `floor_motions.read`.
         """
         if self.floors:
+            self._fit(case)
             return self.floors
         key = json.dumps(case["smdof"], sort_keys=True)
         if (found := self._kept.get(key)) is None:
@@ -227,6 +286,30 @@ class Motion:
             self._kept[key] = found
         return found
 
+    def _fit(self, case):
+        """Refuse floor motions of others that a case would ignore, or has not; warn of scaling."""
+        floors = [name for name in self.floors[1] if name.startswith("floor")]
+        if self.of_chain or not floors:
+            return
+        if case.kind.two_way:
+            raise ValueError(
+                f"{self.file or self.name}: model {case.model} computes its floors itself and would "
+                "ignore these; expected a record, or a model that is driven by floors, as W2"
+            )
+        if case.kind.chain and len(floors) != case["smdof"]["n_dof"]:
+            raise ValueError(
+                f"{self.file or self.name}: {len(floors)} floors, but smdof.n_dof = "
+                f"{case['smdof']['n_dof']}; expected as many"
+            )
+        if case.kind.chain and not self._kept.get("said"):
+            self._kept["said"] = True
+            warnings.warn(
+                f"{self.file or self.name}: the floors scale with the ground's peak; those of a "
+                "building that yields hold at the intensity that they were computed for alone",
+                UserWarning,
+                stacklevel=5,
+            )
+
     def before(self, case, direction):
         """What comes before it: time_s and columns as they shake, and the pause; None: nothing."""
         if self.first is None or self.first_pga_g == 0.0:
@@ -234,6 +317,22 @@ class Motion:
         time_s, columns = self.first.columns(case)
         factor = amplitude(columns["ground"], direction, self.first_pga_g)
         return time_s, floor_motions.scaled(columns, factor), self.pause_s
+
+
+def _check_floors(floors):
+    """Refuse what is no (time_s, columns) with the ground among them."""
+    good = isinstance(floors, tuple) and len(floors) == 2 and isinstance(floors[1], Mapping)
+    if not good or "ground" not in floors[1]:
+        raise ValueError(
+            "floors: expected (time_s, columns) with columns 'ground', 'floor1', …, as "
+            "Motion.read_floors gives them"
+        )
+    count = np.shape(floors[0])
+    for name, values in floors[1].items():
+        if np.shape(values) != count or len(count) != 1:
+            raise ValueError(
+                f"floors: column {name} of shape {np.shape(values)}; expected {count} as the times"
+            )
 
 
 def _known(changes, name):

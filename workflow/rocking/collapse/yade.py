@@ -8,10 +8,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-import pandas as pd
-
 from rocking.collapse.history import History
 from rocking.collapse.scan import one_by_one, seen_together
+from rocking.tables import read_frame
 from yade_scripts.model import models
 from yade_scripts.model.floor_motions import write_columns
 
@@ -81,7 +80,7 @@ class YadeRuns:
         (self.folder / "runs.json").write_text(json.dumps(listed))
         words = ("--list", "runs.json", "--journal", "journal.jsonl", "--output", "runs.csv")
         run_yade("runs", *words, folder=self.folder, limit_s=self.limit_s)
-        table = pd.read_csv(self.folder / "runs.csv")
+        table = read_frame(self.folder / "runs.csv")
         return table.assign(collapsed=(table["status"] == "overturned").astype(int))[self.columns]
 
     def seen(self, strategy):
@@ -102,7 +101,7 @@ def yade_history(case, motion, direction, pga_g):
         words = ["--scene", "case.json", "--motion", "motion.csv", "--direction", direction]
         words += ["--record", motion.name or "motion", "--pga", f"{pga_g:.17g}"]
         run_yade("history", *words, "--output", "history.csv", folder=folder)
-        table = pd.read_csv(Path(folder, "history.csv"))
+        table = read_frame(Path(folder, "history.csv"))
     status = str(table["status"].iloc[0])
     peak = float("nan") if status == "failed" else float(table["d_over_b"].abs().max())
     return History(table, peak, status)

@@ -7,7 +7,6 @@ dark as the share that falls there: where outcomes alternate a line would be a z
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 
@@ -15,6 +14,7 @@ from rocking.collapse.ida import branches, curve_key
 from rocking.figures.style import GREY
 from rocking.mechanics.closed_forms import capacity_rigid
 from rocking.mechanics.smoothing import smoothed
+from rocking.tables import read_frame
 from yade_scripts.model.registry import MODELS
 from yade_scripts.model.shape import shape_of
 
@@ -30,7 +30,7 @@ def draw_pushover(axis, path, facade):
         d_over_b, value = h * np.sin(theta) / b, capacity_rigid(theta, h, b)
         axis.plot(d_over_b, value, label="static λ of a rigid block", **grey)
         return
-    curve, kind = pd.read_csv(path), MODELS[Path(path).stem]
+    curve, kind = read_frame(path), MODELS[Path(path).stem]
     value = smoothed(curve, "lambda_dem") if kind.walls == "bricks" else curve["lambda_dem"]
     axis.plot(curve["d_over_b"], value, ls=kind.static, label=f"static λ, {kind.name}", **grey)
 

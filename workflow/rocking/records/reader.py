@@ -12,7 +12,8 @@ from numbers import Real
 import numpy as np
 
 from .errors import RecordError
-from .formats import FORMATS, format_of
+from .formats import FORMATS, WANTS, format_of
+from .formats.header import COARSEST
 from .record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, Record, check_plausible, unit_name
 from .text import read_text
 
@@ -125,7 +126,12 @@ def open_file(path, format=None):
         raise RecordError(f"unknown format {format!r}{nearest(form, FORMATS)}")
     key = text.path, form, text.sha256
     if key not in _LAST:
-        channels = FORMATS[form](text)
+        try:
+            channels = FORMATS[form](text)
+        except RecordError as error:
+            if not format:
+                raise
+            raise RecordError(f"{error} (read as {form}, as stated: {WANTS[form]})") from None
         _LAST.clear()
         _LAST[key] = channels
     return text, form, _LAST[key]
@@ -154,6 +160,8 @@ def pick(text, form, channels, name=None, component=None, dt_s=None, units=None)
 
 
 def _units(channel, stated, text):
+    if channel.against:
+        raise text.error(channel.line, f"{channel.against}; expected an acceleration")
     unit, known = unit_name(stated) if stated else channel.units, ", ".join(UNITS_M_S2)
     if stated and unit is None:
         raise text.error(channel.line, f"unknown units {stated!r}; expected one of {known}")
@@ -169,6 +177,10 @@ def _units(channel, stated, text):
 def _step(channel, stated, text):
     # Where the header rounds coarsely, the stated step is the better one.
     own, step = channel.dt_s, channel.dt_s if stated is None else stated
+    if channel.steps and (stated is None or not _is_one_of(stated, channel.steps)):
+        said = " and ".join(f"{one:g} s" for one in channel.steps)
+        asked = "state dt_s" if stated is None else f"dt_s {stated:g} is stated"
+        raise text.error(channel.line, f"the heading states time steps of {said}; {asked}")
     if step is None:
         raise text.error(channel.line, "the file states no time step; state dt_s")
     if own is None:
@@ -178,7 +190,9 @@ def _step(channel, stated, text):
                 f"the first number is {stated:g}, the stated step, and would be read as an "
                 f"acceleration; write 'DT= {stated:g}' there, or delete it",
             )
-    elif stated is not None and not abs(stated - own) <= max(1e-3 * own, channel.dt_rounding_s):
+    elif stated is not None and not abs(stated - own) <= max(
+        1e-3 * own, min(channel.dt_rounding_s, COARSEST * own)
+    ):
         raise text.error(
             channel.line, f"the file's time step is {own:g} s, but dt_s {stated:g} is stated"
         )
@@ -187,6 +201,10 @@ def _step(channel, stated, text):
             channel.line, f"time step {step:g} s; expected {MIN_DT_S:g} … {MAX_DT_S:g} s"
         )
     return float(step)
+
+
+def _is_one_of(stated, steps):
+    return any(abs(stated - one) <= 0.01 * one for one in steps)
 
 
 def _check_peak(channel, text):

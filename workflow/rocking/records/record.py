@@ -4,36 +4,30 @@ Sign: as the file or surrogate gives it; which way is outward is decided by the
 direction (pos or neg) of the analysis, not here.
 """
 
-import re
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2 as G_M_S2
-
 from .errors import RecordError
+from .units import G_M_S2, UNITS_M_S2, unit_name
+
+__all__ = [
+    "G_M_S2",
+    "UNITS_M_S2",
+    "Record",
+    "RecordError",
+    "check_plausible",
+    "integrate",
+    "measures",
+    "significant_duration",
+    "unit_name",
+]
 
 MIN_PGA_G, MAX_PGA_G = 1e-5, 5.0  # the strongest motions recorded reach about 4 g in vector sum
 MIN_DT_S, MAX_DT_S = 1e-4, 0.1
 
 SHIPPED = "recorded, shipped"  # a recording that comes with the project
 SOURCES = ("file", SHIPPED, "surrogate")
-
-UNITS_M_S2 = {"g": G_M_S2, "m/s2": 1.0, "cm/s2": 1e-2, "mm/s2": 1e-3}
-_ALIASES = {"g": "g", "g's": "g", "gs": "g", "gal": "cm/s2", "gals": "cm/s2"}
-
-
-def unit_name(text):
-    """Return the canonical unit ("g", "m/s2", "cm/s2", "mm/s2") of a spelling, or None.
-
-    Accepts g, g's, gal and m, cm, mm with /s2, /s^2, /s**2, /s/s, /sec2, /sec/sec, _s2,
-    in either case, and the superscript ².
-    """
-    word = re.sub(r"\s+", "", text.lower()).replace("²", "2")
-    if word in _ALIASES:
-        return _ALIASES[word]
-    match = re.fullmatch(r"(m|cm|mm)(?:/s(?:ec)?(?:\^|\*\*)?2|/s(?:ec)?/s(?:ec)?|_s2)", word)
-    return f"{match[1]}/s2" if match else None
 
 
 @dataclass(frozen=True)

@@ -243,7 +243,7 @@ def fixed_block(text, first, width, per_line, count, indent=None):
 
     Neighbouring fields may touch, so blanks do not separate them. Fields are
     right-justified: one that ends in a blank means a shifted or damaged line. The
-    first field ends at `indent`, `width` when None.
+    first field ends at `indent`, `width` when None; what is before it by more than that is blank.
 
     Returns
     -------
@@ -253,10 +253,12 @@ def fixed_block(text, first, width, per_line, count, indent=None):
     """
     rows = -(-count // per_line)
     margin = " " * (width - indent) if indent else ""
+    blank = max((indent or width) - width, 0)
     values, line_of_value = array("d"), []
     for row in range(rows):
         number = first + row
         line = margin + text.line(number, f"{count - len(values)} more values").rstrip()
+        line = line[blank:] if not line[:blank].strip() else line
         expected = min(per_line, count - len(values))
         if "\t" in line or len(line) != expected * width:
             raise text.error(

@@ -27,6 +27,11 @@ LONGEST = 10_000  # rows of a table, or sites of an export
 SAME_PERIOD = 1e-3  # relative; a hazard curve for Sa at another period is another measure
 SAME_PLACE = 1e-4  # degrees
 STRONG_G = 2.0  # a curve in g that begins above it is in percent of g or in cm/s²
+# What the ground of any site does once in 475 years, and how it grows with the root of the return
+# period; far beyond what hazard maps of the most and the least active regions have.
+LEAST_G, MOST_G, AT_YEARS = 0.002, 1.5, 475.0
+SHARES = {"pga_g": 1.0, "sa_t1_g": 3.0, "pgv_cm_s": 200.0}  # of a measure, in the PGA in g
+LONG_YEARS = 10_000.0  # beyond it curves are extrapolations
 
 
 class HazardError(ValueError):
@@ -108,7 +113,12 @@ def _number(path, line, word, what):
 
 
 def _curve(path, measure, points):
-    """Curve of (line, intensity, rate), checked: ascending, descending, positive, two or more."""
+    """Curve of (line, intensity, rate), checked: ascending, descending, positive, two or more.
+
+    Equal rates at the low end are one point, the last of them: below it the curve says nothing.
+    """
+    while len(points) > 1 and points[0][2] == points[1][2] and points[0][1] < points[1][1]:
+        points = points[1:]
     for (_, x0, y0), (line, x1, y1) in zip(points, points[1:], strict=False):
         if not x1 > x0:
             raise _fault(path, line, f"intensity {x1:g} after {x0:g}; expected ascending ones")
@@ -126,8 +136,28 @@ def _curve(path, measure, points):
         raise _fault(
             path, line, f"{measure} begins at {lowest:g}; expected g: are the units right?"
         )
+    _refuse_implausible(path, measure, points)
     _, x, y = np.array(points, float).T
     return Hazard(measure, x, y)
+
+
+def _refuse_implausible(path, measure, points):
+    """Refuse a curve in another unit: what no ground does in a return period, at either end."""
+    share = SHARES.get(measure)
+    for line, x, rate in points if share else ():
+        years = 1.0 / rate
+        scale = share * np.sqrt(min(years, LONG_YEARS) / AT_YEARS)
+        far = x > MOST_G * scale if years <= LONG_YEARS else x > 10.0 * MOST_G * scale
+        if far or (AT_YEARS <= years <= LONG_YEARS and x < LEAST_G * scale):
+            most = "at most" if far else "at least"
+            limit = (MOST_G if far else LEAST_G) * scale
+            unit = measure.removeprefix("pga_").removeprefix("sa_t1_").removeprefix("pgv_")
+            raise _fault(
+                path,
+                line,
+                f"{measure} {x:g} once in {years:.3g} years; expected {unit.replace('_', '/')}, "
+                f"{most} {limit:.2g} there: are the units right?",
+            )
 
 
 def _table(path, lines):

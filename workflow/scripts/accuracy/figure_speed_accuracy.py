@@ -1,11 +1,11 @@
 """Error against wall time, a panel a model: every method on the same cases, with its spread."""
 
 import numpy as np
-import pandas as pd
 from rocking.accuracy.errors import ADAPTIVE, COMPILED, pareto_front, same_cases, summary
 from rocking.figures import style
 from rocking.figures.panels import common_legend, panels, plain_log
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 GRID = "nodes and step"
 METHODS = {  # marker, colour
@@ -57,7 +57,7 @@ def panel(axis, table, cases, counts):
 
 
 def main(job):
-    table = pd.read_csv(job.input.table)
+    table = read_frame(job.input.table)
     table["model"] = table["scene"].str.split().str[0]
     common = same_cases(table)
     cases = common.groupby("model")["scene"].nunique()

@@ -6,7 +6,7 @@ from rocking.accuracy.errors import TABLE_COLUMNS, chosen_pair, errors, summary
 from rocking.accuracy.histories import CHOOSING
 from rocking.fidelity import fidelity_table
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_table
+from rocking.tables import read_frame, read_json, write_table
 
 HEADER = (
     "# Error in d/b that {share:.3g} % of the repeating histories keep, by nodes and step,\n"
@@ -19,13 +19,13 @@ def main(job):
     settings = job.params.accuracy
     plan = read_json(job.input.plan)
     scenes = {m: read_json(path) for m, path in plan["scenes"].items()}
-    histories = pd.read_csv(job.input.histories)
-    adaptive = pd.read_csv(job.input.reference)
+    histories = read_frame(job.input.histories)
+    adaptive = read_frame(job.input.reference)
     histories["d_over_b_compiled"] = histories["d_over_b"]
     if settings["reference"] == "adaptive":
         exact = adaptive.set_index("case")["d_over_b"]
         histories["d_over_b"] = histories["case"].map(exact).fillna(histories["d_over_b"])
-    runs = pd.concat([*(pd.read_csv(path) for path in job.input.runs), adaptive], ignore_index=True)
+    runs = pd.concat([*(read_frame(path) for path in job.input.runs), adaptive], ignore_index=True)
     defaults = {model: chosen_pair(scene) for model, scene in scenes.items()}
     table = errors(runs, histories, defaults)
     table = table.sort_values(["scene", "method", "nodes", "dt_over_dt_crit"])

@@ -6,13 +6,12 @@ whole façade's table beside it a part is followed no further than tells (`colla
 
 import json
 
-import pandas as pd
 from rocking import Case, Motion
 from rocking.assessment.collapses import by_part
 from rocking.assessment.shaken import cases_of, settled, settled_by
 from rocking.records import load_as, measures
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 COLUMNS = ["model", "record", "direction", "record_pga_g", "pga_p10_g", "pga_median_g"]
 COLUMNS += ["pga_max_g", "runs_planar"]
@@ -26,7 +25,7 @@ def main(job):
     }
     turns = [(motions[name], direction) for name, direction in job.params.curves]
     whole = getattr(job.input, "whole", None)
-    known = pd.read_csv(str(whole))["pga_median_g"] if whole else None
+    known = read_frame(str(whole))["pga_median_g"] if whole else None
     found = by_part(cases_of(case, shaken), turns, settings["ida.max_pga_g"], known)
     rows = []
     for k, (motion, direction) in enumerate(turns):

@@ -8,7 +8,6 @@ import shlex
 import subprocess
 from pathlib import Path
 
-import pandas as pd
 from rocking import Case
 from rocking.assessment.dynamic_check import width_of
 from rocking.assessment.shaken import cases, settled
@@ -16,7 +15,7 @@ from rocking.assessment.verdict import decided_by, deciding
 from rocking.records import load_as
 from rocking.records.floors import floor_columns
 from rocking.runtime.script import run
-from rocking.tables import read_tables, write_table
+from rocking.tables import read_frame, read_tables, write_table
 
 from yade_scripts.model import floor_motions
 
@@ -56,7 +55,7 @@ def main(job):
         words += ["--journal", journal, "--output", output]
         command = [*shlex.split(job.params.yade), *map(str, words)]
         subprocess.run(command, check=True, timeout=LIMIT_S)
-        yade = pd.read_csv(output).iloc[-1]
+        yade = read_frame(output).iloc[-1]
         d = width_of(case.sections["facade"]) * min(yade["d_over_b"], 1.0)
         values = (found["part"], which, row["pga_g"], row["d_m"], d, yade["status"])
         rows.append((case.model, row["record"], row["direction"], *values))
@@ -68,7 +67,7 @@ def _governing(scenes, verdicts, histories, shaken, own):
     worst = deciding(verdicts).set_index("model")
     found = worst.loc[decided_by(verdicts)]
     every = {case.model: settled(case, own) for case in map(Case.read, scenes)}
-    parts = cases(every[found.name], pd.read_csv(shaken))
+    parts = cases(every[found.name], read_frame(shaken))
     own = {row.part: part for row, part in parts}[found["part"]]
     mine = (histories["part"] == found["part"]) & (histories["model"] == found.name)
     return own, found, histories[mine]

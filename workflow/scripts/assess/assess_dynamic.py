@@ -14,14 +14,14 @@ from rocking.assessment.site import hazards_of
 from rocking.risk.hazard import read_hazard
 from rocking.risk.rates import probability_within
 from rocking.runtime.script import run
-from rocking.tables import read_tables, write_table
+from rocking.tables import read_frame, read_tables, write_table
 
 
 def main(job):
     p, file = job.params, str(job.input.hazard)
     curve = read_hazard(file, p.period_s, p.site) if file else None
     hazards = hazards_of(json.loads(p.settings)["assessment"], curve, Path(file).name)
-    demand_g = pd.read_csv(job.input.checks)["pga_demand_g"].iloc[0]
+    demand_g = read_frame(job.input.checks)["pga_demand_g"].iloc[0]
     given = (p.stations, demand_g, hazards, p.resamples, p.seed)
     whole = read_tables(job.input.collapse).assign(part=WHOLE_PART)
     every = pd.concat([whole, read_tables(job.input.parts)], ignore_index=True)
@@ -39,7 +39,7 @@ def main(job):
     own = every.groupby(["part", "model"], sort=False)
     parts = [{"part": part, **answer(rows, *given)[0]} for (part, _), rows in own]
     write_table(parts, job.output.parts)
-    table = pd.read_csv(job.input.shaken)
+    table = read_frame(job.input.shaken)
     write_table(left_out(pd.DataFrame(parts), table, hazards), job.output.left_out, LEFT_OUT)
 
 

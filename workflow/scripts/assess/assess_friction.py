@@ -17,7 +17,7 @@ from rocking.assessment.site import hazards_of
 from rocking.records import load_as, measures
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 CHECK = ["model", "friction", "checked", "not_held"]
 
@@ -29,7 +29,7 @@ def main(job):
     if rubs(case["facade"]):
         other = not own["floor_friction"]
         parts = list(
-            cases(settled(case, {**own, "floor_friction": other}), pd.read_csv(job.input.shaken))
+            cases(settled(case, {**own, "floor_friction": other}), read_frame(job.input.shaken))
         )
         records = {name: load_as(settings, name, p.table) for name, _ in p.curves}
         rows = [{"friction": int(other), **_checked(job, parts, records, settings)}]
@@ -39,8 +39,8 @@ def main(job):
 
 def _checked(job, parts, records, settings):
     """Of how many mechanisms the code's dynamic check was made, and how many are not held."""
-    known, own = limits_by_part(pd.read_csv(job.input.shaken)), settings["assessment"]
-    chosen = pd.read_csv(job.input.motions)
+    known, own = limits_by_part(read_frame(job.input.shaken)), settings["assessment"]
+    chosen = read_frame(job.input.motions)
     motions = [(Motion(records[row.record]), row.pga_g) for row in chosen.itertuples()]
     rows = []
     for row, one in parts if motions else ():
@@ -71,7 +71,7 @@ def _collapse(job, parts, records, settings):
         rows += [{"part": part, **about, **one[k]} for part, one in found.items()]
     curve = read_hazard(file, p.period_s, p.site) if file else None
     hazards = hazards_of(settings["assessment"], curve, Path(file).name)
-    demand_g = pd.read_csv(job.input.checks)["pga_demand_g"].iloc[0]
+    demand_g = read_frame(job.input.checks)["pga_demand_g"].iloc[0]
     given = p.stations, demand_g, hazards, settings["assessment"]["resamples"], settings["seed"]
     return answer(weakest(pd.DataFrame(rows)), *given)[0]
 

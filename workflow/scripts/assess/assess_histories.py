@@ -12,17 +12,17 @@ from rocking.assessment.family import WHOLE_PART
 from rocking.assessment.shaken import cases, limits_by_part, settled
 from rocking.records import load_as
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 
 def main(job):
     settings = json.loads(job.params.settings)
-    assessment, table = settings["assessment"], pd.read_csv(job.input.shaken)
+    assessment, table = settings["assessment"], read_frame(job.input.shaken)
     case, known = Case.read(job.input.case), limits_by_part(table)
     case = settled(case, assessment)
     motions = [
         (Motion(load_as(settings, row.record, job.params.table)), row.pga_g)
-        for row in pd.read_csv(job.input.motions).itertuples()
+        for row in read_frame(job.input.motions).itertuples()
     ]
     directions, count = settings["directions"], assessment["dynamic_realisations"]
     found, rows = [], []

@@ -19,7 +19,7 @@ from rocking.assessment.slv import Slv, read_as
 from rocking.collapse.quick import LONG_STEP
 from rocking.records import load_as, measures
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 HIGH_S, POINTS = 3.0, 20  # the motions fit from match_low_s to here
 KEPT = ("motions", "exceed_d0", "mean_d_m", "d0_m", "d_slv_m", "failed")
@@ -52,7 +52,7 @@ def main(job):
         levels.append((demand, {"ag_g": ag_g, "pga_g": demand.pga_g, "fits": int(chosen.fits)}))
         for name, factor in zip(chosen.names, chosen.factors, strict=True):
             wanted.setdefault(name, {})[ag_g] = factor * peaks[name]
-    family, rows, shaken = Family(settings), [], pd.read_csv(job.input.shaken)
+    family, rows, shaken = Family(settings), [], read_frame(job.input.shaken)
     mechanisms = {row.part: family.at(site_of(row)) for row in shaken.itertuples()}
     known = {
         part: [row | by_hand(mechanisms[part], settings, demand) for demand, row in levels]

@@ -4,7 +4,6 @@ import json
 from importlib.metadata import version
 from pathlib import Path
 
-import pandas as pd
 import yaml
 from rocking.assessment import evidence, paper
 from rocking.assessment.appendix import Data
@@ -12,12 +11,12 @@ from rocking.assessment.report import context
 from rocking.assessment.site import demand_said
 from rocking.assessment.values import values
 from rocking.runtime.script import run
-from rocking.tables import read_tables, write_table
+from rocking.tables import read_frame, read_tables, write_table
 
 
 def main(job):
     p, config = job.params, json.loads(json.dumps(dict(job.params.config)))
-    tables = {Path(str(path)).stem: pd.read_csv(path) for path in job.input.tables}
+    tables = {Path(str(path)).stem: read_frame(path) for path in job.input.tables}
     tables |= {"verdicts": read_tables(job.input.verdicts), "yade": read_tables(job.input.yade)}
     write_table(values(config, list(p.given)), job.output.values, ["key", "value", "standing"])
     program = f"rocking-facades {version('rocking-facades')}"

@@ -7,7 +7,6 @@ the range of periods by which the motions were chosen, so that it is held to the
 import json
 from concurrent.futures import ThreadPoolExecutor
 
-import pandas as pd
 import yaml
 from rocking import Case, Motion
 from rocking.assessment import selection, site, ties, ties_shaken, ties_tables
@@ -16,7 +15,7 @@ from rocking.assessment.shaken import settled
 from rocking.assessment.verdict import relied_on
 from rocking.records import load_as
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 ADDED = """# Rows of ties with which the façade passes; give this file after the façade's own:
 # .venv/bin/snakemake --cores 2 --configfile my_facade.yaml {path} -- assess
@@ -38,7 +37,7 @@ def _added(job, many, at_once):
     given = settings, list(records.values()), job.input.spectrum, job.input.hazard
     demand = site.demand_from(*given)
     tied, longest_s = ties.Tied(settings, demand), selection.longest_period(settings, demand)
-    chosen = pd.read_csv(job.input.motions)
+    chosen = read_frame(job.input.motions)
     motions = [(Motion(records[row.record]), row.pga_g) for row in chosen.itertuples()]
     shaken, relied = None, ""
     if motions:

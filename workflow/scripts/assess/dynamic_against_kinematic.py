@@ -9,14 +9,14 @@ import json
 import pandas as pd
 from rocking.assessment.comparison import disagreements, parts_against_whole
 from rocking.runtime.script import run
-from rocking.tables import read_tables, write_table
+from rocking.tables import read_frame, read_tables, write_table
 
 
 def main(job):
     facts, parts, collapse = json.loads(job.params.runs), [], []
     for name, about in facts.items():  # in another order than the rule's inputs
         known = {key: about[key] for key in ("height_m", "slenderness", "period_s")}
-        parts.append(pd.read_csv(about["levels"]).assign(run=name, **known))
+        parts.append(read_frame(about["levels"]).assign(run=name, **known))
         for files in (about["collapse"], about["parts"]):
             collapse.append(read_tables(files).assign(run=name))
     levels = pd.concat(parts, ignore_index=True)

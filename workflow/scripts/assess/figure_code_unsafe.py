@@ -1,11 +1,11 @@
 """Share of checks on the unsafe side, by what façades and records have in common."""
 
 import numpy as np
-import pandas as pd
 from rocking.assessment.code_checks import CHECKS
 from rocking.figures import style
 from rocking.figures.panels import common_legend, intervals, panels
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 GROUPS = {"height": "height [m]", "slenderness": "h/b [-]", "T1": "T1 [s]"}
 GROUPS |= {"pulse share": "pulse share [-]", "PGV/PGA": "PGV/PGA [s]"}
@@ -13,7 +13,7 @@ SHOWN = {"linear_ground": "o", "slv_ground": "s", "slv_both": "^", "slc_both": "
 
 
 def main(job):
-    table = pd.read_csv(job.input.table)
+    table = read_frame(job.input.table)
     table = table[table["level"] == "median"]
     models = list(dict.fromkeys(table["model"]))
     count = len(models) * len(GROUPS)

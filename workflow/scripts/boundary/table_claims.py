@@ -3,22 +3,21 @@
 import json
 from pathlib import Path
 
-import pandas as pd
 from rocking.paper.claims import table
 from rocking.pushover import summary
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_table
+from rocking.tables import read_frame, read_json, write_table
 
 
 def main(job):
     facts = [read_json(path) for path in job.input.facts]
     pushed = {
-        Path(path).stem: summary(pd.read_csv(path)) for path in getattr(job.input, "pushover", [])
+        Path(path).stem: summary(read_frame(path)) for path in getattr(job.input, "pushover", [])
     }
     peaks = {model: found["lambda_peak"] for model, found in pushed.items()}
     rule = json.loads(job.params.w3)["w3"]["header_joint"]
     claims = table(
-        pd.read_csv(job.input.collapse),
+        read_frame(job.input.collapse),
         peaks,
         {f["name"]: f["source"] for f in facts},
         {model: (found["ratio"], rule) for model, found in pushed.items()},

@@ -2,19 +2,18 @@
 
 from pathlib import Path
 
-import pandas as pd
 from rocking.building.claims import evaluate
 from rocking.runtime.script import run
 from rocking.statements import COLUMNS
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 
 def main(job):
     explicit = {
-        Path(path).stem.removeprefix("building_explicit_"): pd.read_csv(path)
+        Path(path).stem.removeprefix("building_explicit_"): read_frame(path)
         for path in job.input.explicit
     }
-    rows = evaluate(pd.read_csv(job.input.modes), pd.read_csv(job.input.wme), explicit)
+    rows = evaluate(read_frame(job.input.modes), read_frame(job.input.wme), explicit)
     write_table(rows, job.output[0], COLUMNS, digits=None)
 
 

@@ -2,15 +2,14 @@
 
 from pathlib import Path
 
-import pandas as pd
 from rocking.calibration import laws
 from rocking.mechanics import beta
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 
 def main(job):
-    chosen, rows = laws.compare(pd.read_csv(job.input.walls))
+    chosen, rows = laws.compare(read_frame(job.input.walls))
     write_table(rows, job.output.table, laws.COLUMNS)
     known = beta.read_laws(job.input.others)
     Path(job.output.law).write_text(beta.to_json({**known, job.params.base: chosen}))

@@ -3,7 +3,6 @@
 import json
 
 import matplotlib.pyplot as plt
-import pandas as pd
 from matplotlib.colors import Normalize
 from rocking.calibration import fits
 from rocking.calibration import free_rocking as study
@@ -11,6 +10,7 @@ from rocking.figures import style
 from rocking.figures.panels import band, ticks
 from rocking.mechanics import beta as calibration
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")
 RATIO_MARKERS = "v^sDP*X<>"
@@ -47,7 +47,7 @@ def panel_runs(axes, runs, best, limits):
 
 def main(job):
     settings = json.loads(job.params.settings)["calibration"]
-    walls = pd.read_csv(job.input.walls)
+    walls = read_frame(job.input.walls)
     law = calibration.read_law(job.input.law, settings["base"])
     figure, axes = plt.subplot_mosaic("ab;cc", figsize=(7.4, 6.0))
     figure.get_layout_engine().set(wspace=0.06)

@@ -2,13 +2,12 @@
 
 import json
 
-import pandas as pd
 from rocking.building.complete import plan_of, run_numerics, scene_of
 from rocking.building.reduced import ReducedScan
 from rocking.collapse import search
 from rocking.fidelity import choose, read_fidelity
 from rocking.runtime.script import run
-from rocking.tables import headed, write_json, write_table
+from rocking.tables import headed, read_frame, write_json, write_table
 
 from yade_scripts.commands.perturb import NODE_CHOICES
 from yade_scripts.model import floor_motions
@@ -27,7 +26,7 @@ def main(job):
     table, _ = screen.seen(search.scan(0.5 * screen.static_g, settings))
     named = headed(table, model=w.complete, record=w.record, direction=w.direction)
     write_table(named, job.output.scan)
-    kept = pd.read_csv(job.output.scan)  # as every reader has it
+    kept = read_frame(job.output.scan)  # as every reader has it
     plan = plan_of(
         kept, job.params.settings["amplitude_spread"], own["level_ratio"], job.params.most
     )

@@ -7,12 +7,11 @@ push, from the zero crossings; the modal one that of the largest effective mass 
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 from rocking.building.complete import linear_history
 from rocking.building.explicit import ringing_period
 from rocking.building.modes import Solver
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_table
+from rocking.tables import read_frame, read_json, write_table
 
 from yade_scripts.model import floor_motions
 from yade_scripts.model.building.complete import apart
@@ -41,12 +40,12 @@ def main(job):
         ("with façade", job.input.ring[0]),
         ("without façade", job.input.apart[0]),
     ):
-        table = pd.read_csv(path)
+        table = read_frame(path)
         got = ringing_period(table["time_s"].to_numpy(), table["top_m"].to_numpy())
         found = next(i for i, r in enumerate(rows) if r[:2] == (f"period {name}", size))
         modal = rows[found][3]
         rows[found] = (f"period {name}", size, got, modal, "s", abs(got / modal - 1.0))
-    table = pd.read_csv(job.input.linear[0])
+    table = read_frame(job.input.linear[0])
     time_s, columns = floor_motions.read(job.input.motion)
     factor = amplitude(columns["ground"], job.params.direction, job.params.pga_g)
     kept = time_s <= table["time_s"].iloc[-1] + 0.05

@@ -3,10 +3,9 @@
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 from rocking.building.modes import Solver
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_table
+from rocking.tables import read_frame, read_json, write_table
 
 from yade_scripts.model.building.complete import apart
 from yade_scripts.model.scene import from_dict
@@ -18,7 +17,7 @@ def main(job):
     for scene_file, cost_file, history_file in inputs:
         model, size, back = Path(scene_file).stem.split("_")
         scene = from_dict(read_json(scene_file)["scene"])
-        cost, history = read_json(cost_file), pd.read_csv(history_file)
+        cost, history = read_json(cost_file), read_frame(history_file)
         modes = Solver(apart(scene)).modes(12)
         rows.append(
             {

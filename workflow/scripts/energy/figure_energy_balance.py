@@ -1,10 +1,10 @@
 """Where the energy of a run goes: what is lost and stored over time, and the residual below."""
 
 import matplotlib.pyplot as plt
-import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import common_legend
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 LOSSES = {
     "dashpots_j": ("dashpots", "#0072B2"),
@@ -41,7 +41,7 @@ def panel(top, bottom, history):
 
 
 def main(job):
-    histories = [pd.read_csv(path) for path in job.input.histories]
+    histories = [read_frame(path) for path in job.input.histories]
     figure, axes = plt.subplots(
         2,
         len(histories),

@@ -1,8 +1,7 @@
 """Where the energy of each run went, and what is missing (tables/energy_balance.csv)."""
 
-import pandas as pd
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 TERMS = (
     "input_j",
@@ -18,7 +17,7 @@ TERMS = (
 def main(job):
     rows = []
     for path in job.input.histories:
-        history = pd.read_csv(path)
+        history = read_frame(path)
         facts = history.iloc[0][["model", "record", "direction", "pga_g", "status", "dt_s"]]
         worst = history["residual_j"].abs().max()
         rows.append(

@@ -2,13 +2,13 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import intervals
 from rocking.records.intensity_measures import MEASURES
 from rocking.risk.sufficiency import PROPERTIES
 from rocking.runtime.script import run
 from rocking.stations import heading
+from rocking.tables import read_frame
 
 from yade_scripts.model.registry import MODELS
 
@@ -26,8 +26,8 @@ def beside(axis, table, names, value):
 
 
 def main(job):
-    table = pd.read_csv(job.input.measures)
-    slopes = pd.read_csv(job.input.sufficiency)
+    table = read_frame(job.input.measures)
+    slopes = read_frame(job.input.sufficiency)
     names = list(dict.fromkeys(table["im"]))
     figure, axes = plt.subplots(
         1 + len(PROPERTIES), 1, figsize=(5.6, 2.6 + 1.7 * len(PROPERTIES)), sharex=True

@@ -3,12 +3,12 @@
 from itertools import cycle
 
 import numpy as np
-import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import band, panels, plain_log
 from rocking.records.intensity_measures import MEASURES
 from rocking.runtime.script import run
 from rocking.stations import heading
+from rocking.tables import read_frame
 
 from yade_scripts.model.registry import MODELS
 
@@ -17,9 +17,9 @@ TICKS = ((50.0, (1.0, 2.0, 5.0)), (500.0, (1.0, 3.0)), (np.inf, (1.0,)))  # by t
 
 
 def main(job):
-    fits = pd.read_csv(job.input.fragility)
-    curves = pd.read_csv(job.input.curves)
-    brackets = pd.read_csv(job.input.brackets)
+    fits = read_frame(job.input.fragility)
+    curves = read_frame(job.input.curves)
+    brackets = read_frame(job.input.brackets)
     names = list(dict.fromkeys(fits["im"]))
     figure, axes = panels(len(names), 2, (3.5, 2.3), around=(0.0, 0.5), sharey=True)
     for axis, name in zip(axes.flat, names, strict=False):

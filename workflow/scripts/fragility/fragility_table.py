@@ -14,7 +14,7 @@ from rocking.records.intensity_measures import per_pga, record_measures
 from rocking.risk import fragility_tables, sufficiency
 from rocking.risk.fragility_tables import CURVES, FACTORS, share_at, shares
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 
 def main(job):
@@ -28,10 +28,10 @@ def main(job):
         )
         for record in records
     }
-    curves = pd.read_csv(job.input.collapse)
+    curves = read_frame(job.input.collapse)
     stations = job.params.stations
     slopes = fragility_tables.slopes(curves, factors, properties, settings, stations)
-    dense = pd.read_csv(job.input.probability)
+    dense = read_frame(job.input.probability)
     names = settings["measures"]
     brackets = fragility_tables.brackets(
         curves, dense, factors, names, stations, job.params.hazard_slope

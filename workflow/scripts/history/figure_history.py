@@ -2,10 +2,9 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-import pandas as pd
 from rocking.figures import style
 from rocking.runtime.script import run
-from rocking.tables import read_json
+from rocking.tables import read_frame, read_json
 
 from yade_scripts.model.registry import MODELS
 
@@ -34,7 +33,7 @@ def curves(axis, history, named, scale):
 
 
 def main(job):
-    history = pd.read_csv(job.input.history)
+    history = read_frame(job.input.history)
     provenance = style.provenance(read_json(job.input.facts))
     first, t = history.iloc[0], history["time_s"]
     figure, axes = plt.subplots(4, 1, figsize=(7.4, 6.6), sharex=True)

@@ -15,6 +15,7 @@ from rocking.figures import style
 from rocking.figures.ida import draw_curve, draw_probability, draw_pushover, draw_scan, symbols
 from rocking.figures.panels import common_legend, plain_log, ticks
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 LOG_RATIO = 8.0  # between the strongest and the weakest model of a record
 LABEL = "PGA [g]"
@@ -27,9 +28,9 @@ def main(job):
     facade = json.loads(p.facade)["facade"]
     titles = style.titles(job.input.facts)
     scans, curves = by_curve(job.input.scans), by_curve(job.input.ida, read_curve)
-    collapse = pd.read_csv(job.input.collapse).to_dict("records")
+    collapse = read_frame(job.input.collapse).to_dict("records")
     rows = {tuple(r[k] for k in probability.KEY): r for r in collapse}
-    tables = dict(list(pd.read_csv(job.input.probability).groupby(probability.KEY)))
+    tables = dict(list(read_frame(job.input.probability).groupby(probability.KEY)))
     shape = (len(p.records), len(p.directions))
     size = (max(5.0, 4.0 * shape[1]), 0.9 + 2.0 * shape[0])
     figure, axes = plt.subplots(*shape, figsize=size, squeeze=False, sharex=True)

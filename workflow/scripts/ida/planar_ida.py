@@ -13,7 +13,7 @@ def main(job):
     case, ida = Case.read(job.input.case), {}
     if case["ida"]["start_g"] is None:
         ida["start_g"] = round(0.5 * models.static_multiplier(case.sections), DIGITS)
-    motion = Motion.read_floors(job.input.motion, job.params.record)
+    motion = Motion.of_workflow(job.input.motion, job.params.record)
     curve = collapse_curve(case, motion, job.wildcards.direction)
     key = {name: getattr(curve, name) for name in ("model", "record", "direction")}
     table = headed(curve.table, **key)

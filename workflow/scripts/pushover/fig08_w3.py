@@ -2,7 +2,6 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-import pandas as pd
 from matplotlib.patches import Patch
 from rocking.figures import style
 from rocking.figures.pictures import FILLS, side_view
@@ -16,7 +15,7 @@ from rocking.pushover import (
     theta_of,
 )
 from rocking.runtime.script import run
-from rocking.tables import read_json
+from rocking.tables import read_frame, read_json
 
 from yade_scripts.model.interlocking import interlocking_scene
 from yade_scripts.model.registry import MODELS
@@ -94,8 +93,8 @@ def main(job):
     configs, cases = [read_json(p) for p in job.input.cases], {}
     files = zip(configs, job.input.raw, job.input.forces, strict=True)
     for name, (config, raw, forces) in zip([*DRAWN, "default"], files, strict=True):
-        curve = complete_curve(pd.read_csv(raw), config, "W3")
-        cases[name] = curve, joint_forces(pd.read_csv(forces), config)
+        curve = complete_curve(read_frame(raw), config, "W3")
+        cases[name] = curve, joint_forces(read_frame(forces), config)
     figure = plt.figure(figsize=(9.2, 7.4))
     above, below = figure.subfigures(2, 1, height_ratios=(1.15, 1.0))
     top = above.subplots(1, 3, width_ratios=(1.0, 1.0, 3.6))

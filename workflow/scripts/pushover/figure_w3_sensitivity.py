@@ -1,10 +1,10 @@
 """Sensitivity of W3's static capacity: λ0 in YADE and of the kinematic curve, by variant."""
 
 import matplotlib.pyplot as plt
-import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import ticks
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 from yade_scripts.model.registry import MODELS
 
@@ -29,7 +29,7 @@ def group_of(name):
 
 
 def main(job):
-    table = pd.read_csv(job.input.table)
+    table = read_frame(job.input.table)
     table = table[table["case"].str.startswith("W3 ")].copy()
     table["name"] = table["case"].str[3:]
     default = table[table["name"] == "default"].iloc[0]

@@ -3,13 +3,13 @@
 import math
 
 import numpy as np
-import pandas as pd
 from matplotlib.ticker import MaxNLocator
 from rocking.accuracy.coverage import KEY
 from rocking.collapse import probability
 from rocking.figures import style
 from rocking.figures.panels import panels
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 from yade_scripts.model.registry import MODELS
 
@@ -41,9 +41,9 @@ def draw(axis, key, scan, row, reported, spread):
 
 
 def main(job):
-    scans = dict(list(pd.read_csv(job.input.scan).groupby(KEY, sort=False)))
-    bands = pd.read_csv(job.input.bands).set_index(KEY)
-    known = dict(list(pd.read_csv(job.input.probability).groupby(KEY)))
+    scans = dict(list(read_frame(job.input.scan).groupby(KEY, sort=False)))
+    bands = read_frame(job.input.bands).set_index(KEY)
+    known = dict(list(read_frame(job.input.probability).groupby(KEY)))
     figure, axes = panels(len(scans), COLUMNS, (2.5, 1.6), around=(0.0, 0.5), sharey=True)
     for axis, (key, scan) in zip(axes.flat, scans.items(), strict=False):
         draw(axis, key, scan, bands.loc[key], known[key], job.params.spread)

@@ -2,10 +2,9 @@
 
 import math
 
-import pandas as pd
 from rocking.accuracy.coverage import SCAN_COLUMNS, scan
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_table
+from rocking.tables import read_frame, read_json, write_table
 
 from yade_scripts.model import models
 
@@ -14,7 +13,7 @@ def main(job):
     scene, w = read_json(job.input.case), job.wildcards
     spread = scene["ensemble"]["amplitude_spread"]
     settings = {**scene["ida"], **job.params.accuracy, "amplitude_spread": spread}
-    known = pd.read_csv(job.input.scan)
+    known = read_frame(job.input.scan)
     lowest = known.loc[known["collapsed"] == 1, "pga_g"].min()
     start_g = 0.5 * (models.static_multiplier(scene) if math.isnan(lowest) else lowest)
     table = scan(scene, job.input.motion, w.direction, settings, start_g)

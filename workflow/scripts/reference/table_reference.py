@@ -1,14 +1,13 @@
 """Reported collapse intensities and bands beside the reference solver's dense scans."""
 
-import pandas as pd
 from rocking.accuracy.coverage import BAND_COLUMNS, KEY, compare
 from rocking.runtime.script import run
-from rocking.tables import read_tables, write_table
+from rocking.tables import read_frame, read_tables, write_table
 
 
 def main(job):
     scans = read_tables(job.input.scans)
-    reported = pd.read_csv(job.input.collapse).set_index(KEY, drop=False)
+    reported = read_frame(job.input.collapse).set_index(KEY, drop=False)
     rows = [
         compare(table, reported.loc[key], job.params.spread)
         for key, table in scans.groupby(KEY, sort=False)

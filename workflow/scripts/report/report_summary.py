@@ -10,11 +10,10 @@ import html
 import sys
 from pathlib import Path
 
-import pandas as pd
 from rocking.collapse.cautions import BANDS, LARGE_FACTOR, cautions, scale_factors
 from rocking.report_pages import page, result_table
 from rocking.runtime.script import run
-from rocking.tables import read_tables, write_table
+from rocking.tables import read_frame, read_tables, write_table
 
 SHOWN = ("model", "record", "direction", "pga_safe_g", "safe_bound", "pga_collapse_g")
 SHOWN += ("collapse_fell", "collapse_realisations")
@@ -45,7 +44,7 @@ def content(p, records, runs, collapse, factors, figure):
 
 def main(job):
     p = job.params
-    records, collapse = pd.read_csv(job.input.records), pd.read_csv(job.input.collapse)
+    records, collapse = read_frame(job.input.records), read_frame(job.input.collapse)
     runs = read_tables(job.input.ida)
     factors = scale_factors(records, runs, collapse)
     write_table(factors, job.output.factors, digits="%.4g")

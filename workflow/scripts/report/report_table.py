@@ -3,14 +3,14 @@
 import base64
 from pathlib import Path
 
-import pandas as pd
 from rocking.report_pages import is_study, page, result_table
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 
 def main(job):
     source = Path(job.input.table)
-    table = pd.read_csv(source)
+    table = read_frame(source)
     data = base64.b64encode(source.read_bytes()).decode()
     link = (
         f'<p><a download="{source.name}" href="data:text/csv;base64,{data}">{source.name}</a></p>'

@@ -8,7 +8,7 @@ from pathlib import Path
 import pandas as pd
 from rocking.collapse.ida import read_curve
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 COLUMNS = [
     "model",
@@ -29,7 +29,7 @@ def main(job):
     for path, ensemble in zip(job.input.ida, job.input.ensembles, strict=True):
         curve = read_curve(path)
         model, record, direction = (curve[k][0] for k in ("model", "record", "direction"))
-        curve = pd.concat([curve, pd.read_csv(ensemble)])
+        curve = pd.concat([curve, read_frame(ensemble)])
         row = [
             model,
             record,
@@ -40,7 +40,7 @@ def main(job):
         ]
         measured = folder / f"ida_{model}_{record}_{direction}.tsv"
         if measured.is_file():  # absent where results were copied from another place
-            times = pd.read_csv(measured, sep="\t").iloc[0]
+            times = read_frame(measured, sep="\t").iloc[0]
             row += [times["s"], times["cpu_time"], times["max_rss"]]
         rows.append(row + [None] * (len(COLUMNS) - len(row)))
     write_table(rows, job.output[0], COLUMNS, digits="%.4g")

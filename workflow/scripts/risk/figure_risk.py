@@ -4,13 +4,13 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
-import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import intervals
 from rocking.records.intensity_measures import MEASURES
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
 from rocking.stations import heading
+from rocking.tables import read_frame
 
 from yade_scripts.model.registry import MODELS
 
@@ -27,9 +27,9 @@ def interval(row):
 def main(job):
     risk = job.params.risk
     hazard = read_hazard(str(job.input.hazard), job.params.period_s, risk["site"])
-    table = pd.read_csv(job.input.table)
-    parts = pd.read_csv(job.input.deaggregation)
-    curves = pd.read_csv(job.input.curves)
+    table = read_frame(job.input.table)
+    parts = read_frame(job.input.deaggregation)
+    curves = read_frame(job.input.curves)
     curves = curves[curves["im"] == hazard.measure]
     measure = MEASURES[hazard.measure]
     figure, axes = plt.subplots(

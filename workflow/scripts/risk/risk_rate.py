@@ -3,19 +3,18 @@
 Writes tables/risk.csv and risk/deaggregation.csv.
 """
 
-import pandas as pd
 from rocking.risk.collapse import COLUMNS, PARTS, risk_of
 from rocking.risk.fragility_tables import SHARE, shares
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 
 def main(job):
     risk, settings = job.params.risk, job.params.fragility
     hazard = read_hazard(str(job.input.hazard), job.params.period_s, risk["site"])
     brackets, factors, collapse, dense = (
-        pd.read_csv(job.input[name]) for name in ("brackets", "factors", "collapse", "probability")
+        read_frame(job.input[name]) for name in ("brackets", "factors", "collapse", "probability")
     )
     brackets = brackets[(brackets["im"] == hazard.measure) & (brackets["reading"] == SHARE)]
     known = factors[factors["im"] == hazard.measure].set_index("record")

@@ -1,12 +1,11 @@
 """What the law of β changes in an IDA: curves and collapse intensities."""
 
 import matplotlib.pyplot as plt
-import pandas as pd
 from rocking.collapse import probability
 from rocking.collapse.ida import branches, read_curve
 from rocking.figures import style
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_table
+from rocking.tables import read_frame, read_json, write_table
 
 COLOURS = {"eq5": "#0072B2", "fitted": "#D55E00"}
 NAMES = {"eq5": "eq. 5", "fitted": "fitted law"}
@@ -23,9 +22,7 @@ def main(job):
         curve = read_curve(path)
         stood, fell = branches(curve)
         # YADE runs few levels once they confirm the scan: where it falls, both say
-        found = probability.summary(
-            pd.read_csv(scan_path), curve, curve.iloc[:0], job.params.spread
-        )
+        found = probability.summary(read_frame(scan_path), curve, curve.iloc[:0], job.params.spread)
         collapse = found["pga_collapse_g"]
         key = scene["model"], curve["direction"].iloc[0]
         law = scene["damping"]["law"]

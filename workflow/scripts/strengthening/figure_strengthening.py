@@ -4,11 +4,10 @@ import json
 
 import matplotlib.pyplot as plt
 import numpy as np
-import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import band, ticks
 from rocking.runtime.script import run
-from rocking.tables import read_json
+from rocking.tables import read_frame, read_json
 
 TICKS_KN = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
 
@@ -20,8 +19,8 @@ def place(force_kn, first):
 
 def main(job):
     settings = json.loads(job.params.settings)["strengthening"]
-    table, least = pd.read_csv(job.input.search), pd.read_csv(job.input.least)
-    curve, yade = pd.read_csv(job.input.curve), pd.read_csv(job.input.yade)
+    table, least = read_frame(job.input.search), read_frame(job.input.least)
+    curve, yade = read_frame(job.input.curve), read_frame(job.input.yade)
     facts = read_json(job.input.facts)
     first = settings["forces_kn"][0]
     figure, (left, right) = plt.subplots(1, 2, figsize=(7.6, 3.3))

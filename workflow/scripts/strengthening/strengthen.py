@@ -11,7 +11,7 @@ from rocking.tables import headed, write_json, write_table
 
 def main(job):
     settings, w = json.loads(job.params.settings)["strengthening"], job.wildcards
-    case, motion = Case.read(job.input.case), Motion.read_floors(job.input.motion)
+    case, motion = Case.read(job.input.case), Motion.of_workflow(job.input.motion)
     given = case, motion, w.direction, settings
     log = getattr(job, "log", None)
 

@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 from rocking.runtime.script import run
 from rocking.strengthening import together
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 
 def confirmed(table, force_kn):
@@ -20,8 +20,8 @@ def main(job):
     settings = json.loads(job.params.settings)["strengthening"]
     rows = []
     for path, yade_path in zip(job.input.least, job.input.yade, strict=True):
-        yade = pd.read_csv(yade_path)
-        for row in pd.read_csv(path).to_dict("records"):
+        yade = read_frame(yade_path)
+        for row in read_frame(path).to_dict("records"):
             here = yade[np.isclose(yade["height_m"], row["height_m"], rtol=1e-4)]
             share, realisations = confirmed(here, row["force_kn"])
             rows.append({**row, "probability_yade": share, "realisations_yade": realisations})

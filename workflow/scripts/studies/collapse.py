@@ -23,10 +23,10 @@ def main(job):
     if record := job.input.get("record"):
         motion = Motion(read_csv(record))
     else:
-        motion = Motion.read_floors(job.input.motion, w.record)
+        motion = Motion.of_workflow(job.input.motion, w.record)
     for name in OTHERS:
         if path := job.input.get(name):
-            given[name] = Motion.read_floors(path, job.params.get(name))
+            given[name] = Motion.of_workflow(path, job.params.get(name))
     if paths := job.input.get("cases"):
         case, direction = [Case.read(path) for path in paths], job.params.directions
     else:

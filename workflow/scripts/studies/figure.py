@@ -6,10 +6,9 @@ the rule's inputs hold, under their names: a table (CSV) or values (JSON), of se
 
 from importlib import import_module
 
-import pandas as pd
 from rocking.figures import style
 from rocking.runtime.script import run
-from rocking.tables import read_json
+from rocking.tables import read_frame, read_json
 
 NOT_DRAWN = ("facts", "modules")
 
@@ -17,7 +16,7 @@ NOT_DRAWN = ("facts", "modules")
 def read(given):
     if not isinstance(given, str):
         return [read(path) for path in given]
-    return read_json(given) if given.endswith(".json") else pd.read_csv(given)
+    return read_json(given) if given.endswith(".json") else read_frame(given)
 
 
 def main(job):

@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-import pandas as pd
 import yaml
 from rocking.paper.page import page
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 ABOUT = """\
 The study is *Using DEM to investigate boundary conditions for rocking URM façades subjected to
@@ -21,7 +21,7 @@ surrogates and recorded motions apart. Made by `make study` out of `docs/study.y
 
 def main(job):
     data = yaml.safe_load(Path(job.input.data).read_text(encoding="utf-8"))
-    tables = {Path(path).stem: pd.read_csv(path) for path in job.input.tables}
+    tables = {Path(path).stem: read_frame(path) for path in job.input.tables}
     Path(job.output[0]).write_text(page(data, tables, ABOUT), encoding="utf-8")
 
 

@@ -11,7 +11,7 @@ import pandas as pd
 from rocking.collapse import probability
 from rocking.collapse.equivalent import SLOPE
 from rocking.collapse.ida import curve_key, read_curve
-from rocking.tables import read_json
+from rocking.tables import read_frame, read_json
 
 COLUMNS = ["record", "source", "direction", "t1_s", "base_height_ratio"]
 COLUMNS += ["pga_w1_g", "pga_w2_g", "ratio", "ratio_equivalent", "censored"]
@@ -36,7 +36,7 @@ def capacities(curves, scans, confirmed, spread, slope=SLOPE):
     """
     known = set(map(str, confirmed))
     for path, at in zip(curves, scans, strict=True):
-        scan, path = pd.read_csv(at), str(path)
+        scan, path = read_frame(at), str(path)
         yade = read_curve(path) if path in known else ()
         yield Path(path), curve_key(scan), capacity(yade, scan, spread, slope)
 

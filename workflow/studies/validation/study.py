@@ -16,6 +16,7 @@ import pandas as pd
 import yaml
 from rocking.collapse.ratios import Ratios
 from rocking.configuration.config import ConfigError
+from rocking.tables import read_frame
 
 from yade_scripts.model import registry
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
@@ -91,7 +92,7 @@ def read(folder):
     measured = (f"measured_{specimen['observed']['unit']}",)
     for name, columns in (("runs", KINDS[specimen["kind"]]), ("measured", measured)):
         file = next((file for file in given if file.stem == name), folder / f"{name}.csv")
-        table = pd.read_csv(file, comment="#")
+        table = read_frame(file, comment="#")
         absent = [column for column in ("run", *columns) if column not in table]
         if absent:
             raise ConfigError(f"{file}: expected columns {', '.join(absent)}")

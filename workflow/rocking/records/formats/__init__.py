@@ -30,6 +30,22 @@ FORMATS = {
     "single-column": columns.read_single,
 }
 
+WANTS = {  # what each is, in a refusal of a file that is stated to be one
+    "at2": "heading lines, NPTS and DT in one of them, then accelerations in a row",
+    "geonet": "16 lines of text, 4 of integers, 6 of reals, then accelerations in mm/s²",
+    "esm": "lines 'KEY: value' from EVENT_NAME, then one acceleration a line",
+    "cosmos": "a first line with '(Format v… with … text lines)'",
+    "csmip": "a text heading with the component, integers, reals, then 'POINTS OF ACCEL DATA' or pairs",
+    "smc": "11 lines of text from '2 CORRECTED ACCELEROGRAM', 48 integers, 50 reals",
+    "knet": "17 lines from 'Origin Time', then counts",
+    "packed": "a first line 'ROCKING MOTIONS 1'",
+    "csv": "columns apart by commas, semicolons or tabs, the time first or captions",
+    "two-column": "two numbers a line, time and acceleration",
+    "columns": "time and accelerations side by side, or accelerations alone",
+    "wrapped": "accelerations in a row, several a line",
+    "single-column": "one acceleration a line",
+}
+
 
 def format_of(text):
     """Name of the format that a file looks like; empty for none."""

@@ -35,6 +35,10 @@ class Channel:
         One of `record.SOURCES`.
     component : str or None
         What of the label is a component; None: all of it.
+    against : str
+        What speaks against its values as accelerations, such as a unit of velocity; empty: nothing.
+    steps : tuple of float
+        Steps that a heading states [s] where they differ from each other; `dt_s` is None then.
     """
 
     label: str
@@ -48,6 +52,8 @@ class Channel:
     about: dict = field(default_factory=dict)
     provenance: str = "file"
     component: str | None = None
+    against: str = ""
+    steps: tuple[float, ...] = ()
 
 
 MAX_CHANNELS = 200

@@ -3,10 +3,10 @@
 import itertools
 
 import numpy as np
-import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import lowest, panels
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 from yade_scripts.model.registry import COMPLETE, MODELS, Model
 
@@ -17,7 +17,7 @@ OTHERS = ["#8B4513", "#006400", "#4B4B4B", "#000080"]
 
 
 def main(job):
-    table = pd.read_csv(job.input.probability)
+    table = read_frame(job.input.probability)
     title = style.titles(job.input.facts)
     models = list(table["model"].unique())
     known = {**MODELS, **COMPLETE}

@@ -2,10 +2,10 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import heat_map
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 NUMBERS = ("median", "low", "high", "share_unsafe")
 MEASURES = {"equivalent": "equivalent PGA", "collapse": "lowest collapse"}
@@ -24,7 +24,7 @@ def panel(axis, table, words):
 
 
 def main(job):
-    table = pd.read_csv(job.input.table)
+    table = read_frame(job.input.table)
     p = job.params
     figure, axes = plt.subplots(1, 3, figsize=(9.4, 3.4), width_ratios=(1.3, 1.3, 1.0))
     own = table[np.isclose(table["damping_ratio"], p.smdof["damping_ratio"])]

@@ -1,10 +1,10 @@
 """Share of curves against the ratio of collapse intensities: each model over the reference."""
 
 import matplotlib.pyplot as plt
-import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import common_legend, distribution, ticks
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 from yade_scripts.model.registry import MODELS
 
@@ -14,7 +14,7 @@ TICKS = (0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0)
 
 
 def main(job):
-    table = pd.read_csv(job.input.table)
+    table = read_frame(job.input.table)
     reference = job.params.reference
     models = [name for name in table["model"].unique() if name != reference]
     figure, axes = plt.subplots(1, 2, figsize=(6.8, 2.9), sharey=True)

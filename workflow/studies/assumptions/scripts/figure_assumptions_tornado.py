@@ -1,10 +1,10 @@
 """Tornado chart of a model: what each assumption moves, sorted, a panel a record."""
 
 import numpy as np
-import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import common_legend, panels, ticks
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 from studies.assumptions.study import BASE
 
 PANELS, COLUMNS = 8, 4
@@ -14,7 +14,7 @@ BAR, LOWEST, BAND = "#56B4E9", "#D55E00", "0.25"
 
 
 def main(job):
-    table = pd.read_csv(job.input.table)
+    table = read_frame(job.input.table)
     table["level"] = table["level"].fillna("")
     title = style.titles(job.input.facts)
     levels = table[table["assumption"] != BASE].copy()

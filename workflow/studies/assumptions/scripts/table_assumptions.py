@@ -7,7 +7,7 @@ import pandas as pd
 from rocking.collapse import probability
 from rocking.collapse.ida import curve_key, read_curve
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_table
+from rocking.tables import read_frame, read_json, write_table
 from studies.assumptions import study as assumptions
 
 SIDE = [f"pga_{name}_g" for name in assumptions.SIDE]
@@ -21,21 +21,21 @@ def cpu_s(folder, rule, key):
     measured = Path(folder, f"{rule}_{'_'.join(key)}.tsv")
     if not measured.is_file():
         return np.nan
-    return pd.to_numeric(pd.read_csv(measured, sep="\t")["cpu_time"], errors="coerce").iloc[0]
+    return pd.to_numeric(read_frame(measured, sep="\t")["cpu_time"], errors="coerce").iloc[0]
 
 
 def curves(job, records):
     """Key, method, runs, cost, intensities and probability of every curve of these records."""
     p = job.params
     how, folder = {"spread": p.spread, "slope": p.hazard_slope}, p.benchmarks
-    for scan in map(pd.read_csv, job.input.scans):
+    for scan in map(read_frame, job.input.scans):
         key, (found, dense) = curve_key(scan), assumptions.measured(scan, **how, planar=True)
         yield key, "planar", len(scan), cpu_s(folder, "planar_ida", key), found, dense
     for curve in map(read_curve, job.input.bricks):
         key, (found, dense) = curve_key(curve), assumptions.measured(curve, **how, planar=False)
         yield key, "YADE", len(curve), cpu_s(folder, "ida", key), found, dense
     for path in job.input.others:
-        whole = pd.read_csv(path)
+        whole = read_frame(path)
         missing = {*probability.KEY, "pga_g", "probability", "realisations"} - set(whole.columns)
         if missing:
             raise ValueError(f"{path}: missing column(s) {', '.join(sorted(missing))}")

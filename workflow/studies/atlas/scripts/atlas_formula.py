@@ -4,18 +4,17 @@ Writes formula.json, which `rocking.estimate` and the page read, tables/atlas_fa
 tables/atlas_formula.csv (coefficients with their intervals) and tables/atlas_errors.csv.
 """
 
-import pandas as pd
 from rocking import Case
 from rocking.formula import fit, report
 from rocking.formula.measures import factors
 from rocking.records import read_csv
 from rocking.runtime.script import run
-from rocking.tables import write_json, write_table
+from rocking.tables import read_frame, write_json, write_table
 from studies.atlas.study import described, design
 
 
 def main(job):
-    settings, table = job.params.settings, pd.read_csv(job.input.table)
+    settings, table = job.params.settings, read_frame(job.input.table)
     facades = described(Case.read(job.input.case), design(settings), job.input.law)
     table = table[table["facade"].isin(facades.index)]
     records = [read_csv(path) for path in job.input.records]

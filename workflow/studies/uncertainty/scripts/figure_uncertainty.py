@@ -2,11 +2,11 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import intervals
 from rocking.risk.fragility import Fragility
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 from yade_scripts.model.registry import MODELS
 
@@ -27,7 +27,7 @@ SPAN = {"lw": 0.9, "ms": 4}
 
 def main(job):
     found, slopes, curves = (
-        pd.read_csv(path) for path in (job.input.parts, job.input.sensitivity, job.input.fragility)
+        read_frame(path) for path in (job.input.parts, job.input.sensitivity, job.input.fragility)
     )
     figure, (left, middle, right) = plt.subplots(1, 3, figsize=(10.5, 3.8))
     parts = found[found["part"] != "total"][::-1]

@@ -4,16 +4,16 @@ from itertools import cycle
 from pathlib import Path
 
 import matplotlib.pyplot as plt
-import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import intervals
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 from studies.validation import study as validation
 
 
 def main(job):
     experiment = validation.read(Path(job.input.files[0]).parent)
-    table = pd.read_csv(job.input.table)
+    table = read_frame(job.input.table)
     trials = experiment.measured.merge(experiment.runs, on="run")
     once = table.drop_duplicates("run")
     one_height = once["height_m"].nunique() == 1

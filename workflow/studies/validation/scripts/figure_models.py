@@ -11,6 +11,7 @@ import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import common_legend, lowest, panels
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 from studies.validation import study as validation
 
 ACROSS = 2
@@ -20,7 +21,7 @@ LOOKS = (("level top", style.LOOKS[0][0], "-"), ("top that may turn", style.LOOK
 
 def main(job):
     models = [validation.read(Path(path).parent) for path in job.input.specimens]
-    tables = [shown(pd.read_csv(path)) for path in job.input.tables]
+    tables = [shown(read_frame(path)) for path in job.input.tables]
     whole = pd.concat(tables)
     fallen_mm = FALL * whole[["peak_mm", "measured_mm"]].max().max()
     size, around = (3.5, 2.5), (0.0, 0.9)

@@ -5,9 +5,9 @@ from itertools import cycle
 from pathlib import Path
 
 import matplotlib.pyplot as plt
-import pandas as pd
 from rocking.figures import style
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 from studies.validation import study as validation
 from studies.validation.study import ALONE, SEQUENCE
 
@@ -17,7 +17,7 @@ SOLVERS = {"planar": ("#0072B2", "s"), "YADE": ("#D55E00", "^")}
 def main(job):
     experiment = validation.read(Path(job.input.files[0]).parent)
     about = experiment.specimen
-    table = pd.read_csv(job.input.table)
+    table = read_frame(job.input.table)
     variants = list(dict.fromkeys(table["variant"]))
     shown = variants[: json.loads(job.params.settings)["validation"]["main_variants"]]
     figure, axes = plt.subplots(

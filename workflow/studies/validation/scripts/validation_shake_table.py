@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 from rocking.calibration.restitution import read_archive
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_table
+from rocking.tables import read_frame, read_json, write_table
 from studies.validation import study as validation
 from studies.validation.study import ALONE, PERCENTILES, SEQUENCE, STILL
 
@@ -15,7 +15,7 @@ from studies.validation.study import ALONE, PERCENTILES, SEQUENCE, STILL
 def main(job):
     experiment = validation.read(Path(job.input.files[0]).parent)
     about = read_json(job.input.cases)
-    planar = pd.read_csv(job.input.planar)
+    planar = read_frame(job.input.planar)
     rows = []
     for (variant, run_, how), part in planar.groupby(["variant", "run", "how"], sort=False):
         values = part["peak_mm"].to_numpy()
