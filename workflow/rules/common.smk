@@ -25,7 +25,15 @@ from rocking.records.intensity_measures import MEASURES
 from rocking.studies.pushover import DRAWN, VARIANTS, laid
 from rocking.records import RecordError, read_table
 from rocking.records.check import check_runs, reach_g
-from rocking.runtime import cluster, command_line, file_times, first_page, interrupts, progress
+from rocking.runtime import (
+    cluster,
+    command_line,
+    file_times,
+    first_page,
+    interrupts,
+    made_of,
+    progress,
+)
 from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
 from rocking.runtime.fallback import left_out_if_unknown
 from rocking.runs import CurveKey, Runs

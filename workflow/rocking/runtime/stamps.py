@@ -11,6 +11,7 @@ from yade_scripts import sources
 from yade_scripts.files import named
 
 FOLDER = Path(".snakemake") / "code"
+NAME = "stamp"
 
 
 @cache
@@ -26,7 +27,7 @@ def stamp(script, folder=FOLDER, drawn=False):
     files, content = sources.sources(script, drawn), sources.digest(script, drawn)
     text = "\n".join([content, *map(str, files)]) + "\n"
     name = f"{script.parent.name}-{script.stem}{'-drawn' if drawn else ''}"
-    target = Path(folder) / name / "stamp"
+    target = Path(folder) / name / NAME
     before = target.read_text("utf-8") if target.is_file() else ""
     if before == text:
         return target
@@ -44,6 +45,11 @@ def stamp(script, folder=FOLDER, drawn=False):
         new.unlink(missing_ok=True)
         raise named(error, target) from None
     return target
+
+
+def content(path):
+    """Digest of the code that a stamp stands for, wherever that lies."""
+    return Path(path).read_text("utf-8").partition("\n")[0]
 
 
 def files(modules):
