@@ -43,6 +43,9 @@ if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
   pip=".venv/bin/pip install -q --disable-pip-version-check --no-compile"
   $pip --require-hashes -r requirements.lock
   $pip --no-deps --no-build-isolation --editable .
+  # before Snakemake reads what --configfile names, in which it would run code (rocking/runtime/start.py)
+  printf '#!%s\nimport sys\n\nfrom rocking.runtime.start import main\n\nsys.exit(main())\n' \
+    "$PWD/.venv/bin/python" > .venv/bin/snakemake
   say "compiling the solvers"
   # Python's own compiling too, of what runs import: the environment may forbid Python to keep it
   .venv/bin/python -m compileall -q smdof yade_scripts workflow/rocking
