@@ -4,7 +4,7 @@ from rocking.assessment import inputs as assessed
 from rocking.assessment.verdict import GOVERNS
 from rocking.stations import turns
 
-COMMIT = assessed.commit_of(BASE)
+COMMIT = version.commit(40) or "none"
 
 
 def checked(function):
@@ -282,6 +282,13 @@ rule assess_sensitivity:
         "../scripts/assess/assess_sensitivity.py"
 
 
+def motions_files(wildcards):
+    """Accelerograms of a run, and the file that surrogates are made of where it has some."""
+    jobs = [Of(run=wildcards.run, record=record) for record in RUNS.records[wildcards.run]]
+    made = {path for path in map(RUNS.surrogate_parameters, jobs) if path}
+    return [*RUNS.record_files(wildcards), *sorted(made)]
+
+
 rule assess_report:
     input:
         tables=all_of(
@@ -298,6 +305,7 @@ rule assess_report:
         yade=[rules.assess_confirm.output[0]],
         site=site,
         table=lambda w: RUNS.table_path(w.run),
+        records=motions_files,
     output:
         html=results("assessment/report.html"),
         pdf=results("assessment/report.pdf"),

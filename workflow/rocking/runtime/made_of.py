@@ -10,6 +10,7 @@ the content of every input, code included). A file that differs from either is m
 import hashlib
 import json
 import os
+import stat
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -87,12 +88,14 @@ class MadeOf:
     """Notes of all runs below a folder of results.
 
     `results` is that folder, `base` the workflow's, which a digest does not name. `params` returns
-    what a job's parameters are as text, `say` prints a warning.
+    what a job's parameters are as text, `copies` whether it copies inputs under their own names,
+    and `say` prints a warning.
     """
 
-    def __init__(self, results, base, params, say=print):
+    def __init__(self, results, base, params, copies=lambda job: False, say=print):
         """Read nothing yet."""
-        self.results, self.base, self.params, self.say = Path(results).parts, str(base), params, say
+        self.results, self.base, self.params = Path(results).parts, str(base), params
+        self.copies, self.say = copies, say
         self.notes: dict[Path, Notes] = {}
         self.digests: dict = {}
         self.said: set = set()
@@ -129,10 +132,12 @@ class MadeOf:
             at = os.stat(path)
         except OSError:
             return ""
-        if os.path.isdir(path):
+        if stat.S_ISDIR(at.st_mode):
             below = sorted(p for p in Path(path).rglob("*") if p.is_file() and p.name[0] != ".")
             named = [(p.relative_to(path).as_posix(), self.digest(p)) for p in below]
             return hashlib.sha256(json.dumps(named).encode()).hexdigest()
+        if not stat.S_ISREG(at.st_mode):
+            return ""
         key = (at.st_dev, at.st_ino, at.st_size, at.st_mtime_ns, at.st_ctime_ns)
         if key not in self.digests:
             self.digests[key] = self._read(path)
@@ -161,17 +166,17 @@ class MadeOf:
         return hashlib.sha256(text.replace(self.base, "").encode()).hexdigest()
 
     def unfit(self, job):
-        """Files of a job that are there and are not what it would make, as far as notes tell.
-
-        A second name of an input, or a copy of it, needs no note.
-        """
+        """Files of a job that are there and are not what it would make, as far as notes tell."""
+        there = {path: now for path in map(str, job.output) if (now := self.digest(path))}
+        if self.copies(job):
+            inputs = {os.path.basename(path): self.digest(path) for path in map(str, job.input)}
+            return [p for p, now in there.items() if inputs.get(os.path.basename(p)) != now]
         found, of = [], None
-        for path in map(str, job.output):
-            if not (now := self.digest(path)) or self.place(path) is None:
+        for path, now in there.items():
+            if self.place(path) is None:
                 continue
             if (note := self.noted(path)) is None:
-                if not self._is_copy(path, now, job):
-                    found.append(path)
+                found.append(path)
                 continue
             of = of or self.of(job)
             if note[0] != now:
@@ -179,11 +184,6 @@ class MadeOf:
             if note != (now, of):
                 found.append(path)
         return found
-
-    def _is_copy(self, path, digest, job):
-        name = os.path.basename(path)
-        same = [one for one in map(str, job.input) if os.path.basename(one) == name]
-        return any(self.digest(one) == digest for one in same)
 
     def _say(self, line):
         if line not in self.said and len(self.said) < MOST_SAID:
@@ -217,11 +217,12 @@ class MadeOf:
                 self._say(f"{folder / NAME}: {error.strerror}; what is finished now is made again")
 
 
-def heed(workflow, results, base, own):
+def heed(workflow, results, base, own, copies):
     """Let Snakemake compare and note what `own` jobs make, beside what it does by itself.
 
-    `own` tells of a job whether it is of this workflow. ImportError, AttributeError or TypeError in
-    a release of Snakemake that plans in another way; nothing is changed then.
+    `own` tells of a job whether it is of this workflow; others as of `MadeOf`. ImportError,
+    AttributeError or TypeError in a release of Snakemake that plans in another way; nothing is
+    changed then.
     """
     from snakemake.exceptions import WorkflowError
     from snakemake.jobs import Job
@@ -238,6 +239,7 @@ def heed(workflow, results, base, own):
         results,
         base,
         lambda job: workflow.persistence._params(job),
+        copies,
         lambda line: print(line, file=sys.stderr),
     )
 
@@ -251,7 +253,7 @@ def heed(workflow, results, base, own):
         return iter(yielded or (made.unfit(job) if own(job) else ()))
 
     def input_checksums(self, job, input_path):
-        if not own(job) or not job.output or not all(map(made.noted, job.output)):
+        if not own(job) or copies(job) or not all(map(made.noted, job.output)):
             return checksums(self, job, input_path)
         # what has the content that the job's files were made of is no newer, whatever its date
         return {f"sha256:{made.digest(input_path)}"} if not made.unfit(job) else set()
