@@ -1,8 +1,13 @@
 """How results are read and written: one form for every table (CSV), and for all else JSON."""
 
+import re
+
 import pandas as pd
 
 from yade_scripts.files import read_json, write_json
+
+# what a spreadsheet takes for a formula: text that begins so, and is more than a name or a number
+_FORMULA = re.compile(r"\s*([=@].*|[+-](?![\w.+-]*\Z).*)", re.DOTALL)
 
 __all__ = ["headed", "read_json", "read_tables", "write_json", "write_table"]
 
@@ -21,11 +26,22 @@ def headed(table, **values):
     return frame
 
 
+def as_text(value):
+    """A cell that no spreadsheet takes for a formula, nor its lines for rows."""
+    if not isinstance(value, str):
+        return value
+    text = value.replace("\r\n", "\n").replace("\r", "\n")  # only these are quoted in a CSV file
+    return f"'{text}" if _FORMULA.fullmatch(text) else text
+
+
 def write_table(table, path, columns=None, digits="%.6g"):
     """Write a table, or its rows, as CSV: a header, no index, line feeds on any system.
 
     `columns` say which and in which order, and make the header where there are no rows. `digits` is
-    the form of floating-point numbers; None writes as many digits as tell them apart.
+    the form of floating-point numbers; None writes as many digits as tell them apart. Text that a
+    spreadsheet would run as a formula gets an apostrophe before it, by which these know text.
     """
-    frame = pd.DataFrame(table, columns=columns)
+    frame = pd.DataFrame(table, columns=columns).copy(deep=False)
+    for name in frame.select_dtypes(exclude=["number", "bool"]):
+        frame[name] = frame[name].map(as_text, na_action="ignore")
     frame.to_csv(path, index=False, float_format=digits, lineterminator="\n")
