@@ -9,13 +9,26 @@ from yade_scripts.files import read_json, write_json
 # what a spreadsheet takes for a formula: text that begins so, and is more than a name or a number
 _FORMULA = re.compile(r"\s*([=@].*|[+-](?![\w.+-]*\Z).*)", re.DOTALL)
 
-__all__ = ["headed", "read_json", "read_tables", "write_json", "write_table"]
+__all__ = ["headed", "read_json", "read_tables", "together", "write_json", "write_table"]
 
 
 def read_tables(paths):
     """Tables of several files, one below the other; those without rows have no part in it."""
-    found = [pd.read_csv(path) for path in paths]
-    return pd.concat([table for table in found if len(table)] or found[:1], ignore_index=True)
+    return together(pd.read_csv(path) for path in paths)
+
+
+def together(tables):
+    """Tables one below the other, with the columns of all; those without rows have no part in it.
+
+    A column that is blank throughout one of them takes its type from the others: pandas does so
+    too, and warns with each that it will not for ever.
+    """
+    found = list(tables)
+    columns = dict.fromkeys(name for table in found for name in table.columns)
+    filled = [table.dropna(axis="columns", how="all") for table in found if len(table)]
+    if not filled:
+        return found[0].reindex(columns=list(columns))
+    return pd.concat(filled, ignore_index=True).reindex(columns=list(columns))
 
 
 def headed(table, **values):

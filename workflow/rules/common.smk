@@ -68,7 +68,7 @@ def stop(error):
     sys.exit(f"error: {error}")
 
 
-if fault := results_folder.fault():
+if fault := results_folder.fault(RESULTS):
     stop(fault)
 if workflow.is_main_process and (fault := command_line.fault()):
     stop(fault)
@@ -83,7 +83,7 @@ try:
 except (configuration.ConfigError, RecordError) as error:
     stop(error)
 
-for folder in (".snakemake", "results/.shared", *(f"results/{run}" for run in RUNS.settings)):
+for folder in (".snakemake", *(f"{RESULTS}/{name}" for name in (".shared", *RUNS.settings))):
     if fault := results_folder.fault(folder):
         stop(fault)
 RUNS.refuse(FINDINGS)

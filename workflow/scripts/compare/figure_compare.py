@@ -10,7 +10,7 @@ from rocking.configuration.words import said
 from rocking.figures import style
 from rocking.figures.panels import common_legend
 from rocking.runtime.script import run
-from rocking.tables import headed, write_table
+from rocking.tables import headed, together, write_table
 
 from yade_scripts.model.registry import MODELS
 
@@ -24,7 +24,7 @@ def joined(paths, differing):
     for path, (name, values) in zip(paths, differing.items(), strict=True):
         facts = {"run": name} | {key: _plain(value) for key, value in values.items()}
         parts.append(headed(pd.read_csv(path), **facts))
-    return pd.concat(parts, ignore_index=True)
+    return together(parts)
 
 
 def _plain(value):
