@@ -2,7 +2,7 @@
 
 import csv
 
-from yade_scripts.model.registry import MODELS
+from yade_scripts.model.registry import MODELS, WITH_WALLS
 
 
 def curves_of(path):
@@ -16,5 +16,5 @@ def models_gone(path):
     names = {row.get("model") or "" for row in curves_of(path)}
     if not (gone := sorted(names - set(MODELS))):
         return ""
-    known = ", ".join(MODELS)
+    known = ", ".join(WITH_WALLS)
     return f"{path}: no model {', '.join(gone)} any more; expected {known}: run it again"
