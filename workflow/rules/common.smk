@@ -37,6 +37,7 @@ from rocking.runtime import (
 from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
 from rocking.runtime.fallback import left_out_if_unknown
 from rocking.runs import CurveKey, Runs
+from rocking.runs.names import any_of
 from rocking import version
 from yade_scripts.engine import parent_process
 from yade_scripts.model.registry import COMPLETE, MODELS, REFERENCE_MODELS, PUSHED, WITH_WALLS
@@ -173,8 +174,8 @@ def figure(name, category, result, about=None, **labels):
 
 
 wildcard_constraints:
-    run="|".join(re.escape(name) for name in RUNS.settings),
-    record="|".join(sorted({re.escape(r) for rows in RUNS.tables.values() for r in rows})),
+    run=any_of(RUNS.settings),
+    record=any_of(sorted({record for rows in RUNS.tables.values() for record in rows})),
     model="|".join(WITH_WALLS),
     direction="pos|neg",
     motions="[0-9a-f]+",
