@@ -8,7 +8,7 @@
 # make predictions  predictions of tests again, into build/predictions, beside those committed; MOTIONS: folder of table motions
 # make mutations  one sign, factor or unit changed at a time: do the tests notice?
 # make freeze  the tables of a small run of every target, against those of REVISION (main)
-# make faults  56 runs killed, starved or doubled at random moments; writes tables/faults.csv
+# make faults  80 runs killed, starved or doubled at random moments; writes tables/faults.csv
 # make slurm   two records through a real SLURM of one node (root; installs slurm-wlm and munge)
 # make load    a study of 44 records in reduced form, with memory and progress over time
 # make audit   known vulnerabilities of the locked packages (needs the internet)

@@ -16,9 +16,14 @@ python=/usr/bin/python3
 [ ! -x .venv/bin/python ] || python=.venv/bin/python
 say "Python packages of requirements.lock"
 mkdir -p "$folder/wheels"
-$python -m pip download -q --disable-pip-version-check --require-hashes -r requirements.lock -d "$folder/wheels"
-# what is not a wheel is built where it is installed, in an environment of its own
-$python -m pip download -q --disable-pip-version-check -d "$folder/wheels" setuptools wheel
+# pip looks into what is no wheel with what builds it: the lock's setuptools, here as at the set-up
+builds=$(mktemp -d)
+trap 'rm -rf "$builds"' EXIT
+$python -m venv "$builds"
+pip() { "$builds/bin/pip" "$@" -q --disable-pip-version-check --require-hashes; }
+sed -n '/^setuptools==/,/[^\\]$/p' requirements.lock > "$builds/builds.lock"
+pip install -r "$builds/builds.lock"
+pip download --no-deps --no-build-isolation --use-pep517 -r requirements.lock -d "$folder/wheels"
 say "$(find "$folder/wheels" -type f | wc -l) files in $folder/wheels"
 [ "${2:-}" != --wheels ] || exit 0
 

@@ -41,8 +41,14 @@ if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
   $python -m venv --clear .venv
   # Python compiles a module when it is first imported; most of them never are
   pip=".venv/bin/pip install -q --disable-pip-version-check --no-compile"
-  $pip --require-hashes -r requirements.lock
+  # what is no wheel is built with the lock's own setuptools, not with what the internet has today
+  sed -n '/^setuptools==/,/[^\\]$/p' requirements.lock > .venv/builds.lock
+  $pip --require-hashes -r .venv/builds.lock
+  $pip --require-hashes --no-build-isolation --use-pep517 -r requirements.lock
   $pip --no-deps --no-build-isolation --editable .
+  # before Snakemake reads what --configfile names, in which it would run code (rocking/runtime/start.py)
+  printf '#!%s\nimport sys\n\nfrom rocking.runtime.start import main\n\nsys.exit(main())\n' \
+    "$PWD/.venv/bin/python" > .venv/bin/snakemake
   say "compiling the solvers"
   # Python's own compiling too, of what runs import: the environment may forbid Python to keep it
   .venv/bin/python -m compileall -q smdof yade_scripts workflow/rocking

@@ -81,3 +81,17 @@ def test_another_workflow_may_use_this_one_as_a_module(folder):
     done = snakemake(folder, *targets, snakefile=None)
     assert done.returncode == 0, done.stderr
     assert all((folder / target).stat().st_size > 20 for target in targets)
+
+
+@pytest.mark.slow
+def test_a_module_s_prefix_stands_before_its_results_alone(folder):
+    (folder / "workflow").mkdir()
+    prefixed = MODULE.replace("    config: config\n", '    config: config\n    prefix: "deep"\n')
+    (folder / "workflow" / "Snakefile").write_text(prefixed)
+    table = "deep/results/test/tables/records.csv"
+    done = snakemake(folder, table, snakefile=None)
+    assert done.returncode == 0, done.stderr
+    assert (folder / table).stat().st_size > 20
+    assert (folder / "deep/results/test/made_of.jsonl").is_file()
+    assert not (folder / "results").exists()
+    assert not (folder / "deep/.snakemake").exists()

@@ -1,13 +1,17 @@
 """How results are read and written: one form for every table (CSV), and for all else JSON."""
 
 import csv
+import re
 
 import pandas as pd
 from pandas._libs.parsers import STR_NA_VALUES
 
 from yade_scripts.files import read_json, write_json
 
-__all__ = ["headed", "read_frame", "read_json", "read_tables", "write_json", "write_table"]
+# what a spreadsheet takes for a formula: text that begins so, and is more than a name or a number
+_FORMULA = re.compile(r"\s*([=@].*|[+-](?![\w.+-]*\Z).*)", re.DOTALL)
+
+__all__ = ["headed", "read_frame", "read_json", "read_tables", "together", "write_json", "write_table"]
 
 # Columns of names, which users choose: 1063, 0012, 1E03, NA and True are names as any other.
 NAMES = ("record", "station", "event", "run", "part", "name", "variant", "case", "file", "first")
@@ -31,8 +35,21 @@ def read_frame(path, **options):
 
 def read_tables(paths):
     """Tables of several files, one below the other; those without rows have no part in it."""
-    found = [read_frame(path) for path in paths]
-    return pd.concat([table for table in found if len(table)] or found[:1], ignore_index=True)
+    return together(read_frame(path) for path in paths)
+
+
+def together(tables):
+    """Tables one below the other, with the columns of all; those without rows have no part in it.
+
+    A column that is blank throughout one of them takes its type from the others: pandas does so
+    too, and warns with each that it will not for ever.
+    """
+    found = list(tables)
+    columns = dict.fromkeys(name for table in found for name in table.columns)
+    filled = [table.dropna(axis="columns", how="all") for table in found if len(table)]
+    if not filled:
+        return found[0].reindex(columns=list(columns))
+    return pd.concat(filled, ignore_index=True).reindex(columns=list(columns))
 
 
 def headed(table, **values):
@@ -43,11 +60,22 @@ def headed(table, **values):
     return frame
 
 
+def as_text(value):
+    """A cell that no spreadsheet takes for a formula, nor its lines for rows."""
+    if not isinstance(value, str):
+        return value
+    text = value.replace("\r\n", "\n").replace("\r", "\n")  # only these are quoted in a CSV file
+    return f"'{text}" if _FORMULA.fullmatch(text) else text
+
+
 def write_table(table, path, columns=None, digits="%.6g"):
     """Write a table, or its rows, as CSV: a header, no index, line feeds on any system.
 
     `columns` say which and in which order, and make the header where there are no rows. `digits` is
-    the form of floating-point numbers; None writes as many digits as tell them apart.
+    the form of floating-point numbers; None writes as many digits as tell them apart. Text that a
+    spreadsheet would run as a formula gets an apostrophe before it, by which these know text.
     """
-    frame = pd.DataFrame(table, columns=columns)
+    frame = pd.DataFrame(table, columns=columns).copy(deep=False)
+    for name in frame.select_dtypes(exclude=["number", "bool"]):
+        frame[name] = frame[name].map(as_text, na_action="ignore")
     frame.to_csv(path, index=False, float_format=digits, lineterminator="\n")

@@ -1,6 +1,8 @@
 """Which version this is, and which commit: what a reader cites and a fault report names."""
 
+import hashlib
 import importlib.metadata
+import os
 import re
 import subprocess
 from pathlib import Path
@@ -25,16 +27,35 @@ def version():
         return ""
 
 
-def commit():
-    """Commit of the tree, with a + where a file differs from it; "" outside a clone."""
+def commit(digits=7):
+    """Commit of the tree, with a + where a file differs from it; "" outside a clone.
+
+    Also of a clone that belongs to another user, as a group's installation does: git refuses to
+    look at one by itself, since what its settings name would be run; here that is switched off.
+    """
     if not (ROOT / ".git").exists():
         return ""
-    words = ["git", "-C", str(ROOT), "describe", "--always", "--dirty=+", "--exclude=*"]
+    trusted = ["-c", f"safe.directory={ROOT}", "-c", "core.fsmonitor=false"]
+    asked = ["describe", "--always", f"--abbrev={digits}", "--dirty=+", "--exclude=*"]
+    words = ["git", "-C", str(ROOT), *trusted, *asked]
+    environment = {**os.environ, "GIT_OPTIONAL_LOCKS": "0"}
     try:
-        done = subprocess.run(words, capture_output=True, text=True, timeout=20)
+        done = subprocess.run(words, capture_output=True, text=True, timeout=20, env=environment)
     except (OSError, subprocess.SubprocessError):
         return ""
     return done.stdout.strip()
+
+
+def code():
+    """SHA-256 of the program's files, which tells one modified tree from another."""
+    total = hashlib.sha256()
+    folders = [ROOT / name for name in ("smdof", "workflow", "yade_scripts")]
+    files = [path for folder in folders for path in sorted(folder.rglob("*"))]
+    for path in files:
+        if "__pycache__" not in path.parts and path.is_file():
+            content = hashlib.sha256(path.read_bytes()).digest()
+            total.update(path.relative_to(ROOT).as_posix().encode() + b"\0" + content)
+    return total.hexdigest()
 
 
 def stated():

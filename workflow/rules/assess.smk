@@ -5,7 +5,7 @@ from rocking.assessment.shaken import SETTLED
 from rocking.assessment.verdict import GOVERNS
 from rocking.stations import turns
 
-COMMIT = assessed.commit_of(BASE)
+COMMIT = version.commit(40) or "none"
 
 
 def checked(function):
@@ -323,6 +323,13 @@ rule assess_sensitivity:
         "../scripts/assess/assess_sensitivity.py"
 
 
+def motions_files(wildcards):
+    """Accelerograms of a run, and the file that surrogates are made of where it has some."""
+    jobs = [Of(run=wildcards.run, record=record) for record in RUNS.records[wildcards.run]]
+    made = {path for path in map(RUNS.surrogate_parameters, jobs) if path}
+    return [*RUNS.record_files(wildcards), *sorted(made)]
+
+
 rule assess_report:
     input:
         tables=all_of(
@@ -341,6 +348,7 @@ rule assess_report:
         yade=[rules.assess_confirm.output[0]],
         site=site,
         table=lambda w: RUNS.table_path(w.run),
+        records=motions_files,
     output:
         html=results("assessment/report.html"),
         pdf=results("assessment/report.pdf"),

@@ -25,10 +25,19 @@ from rocking.records.intensity_measures import MEASURES
 from rocking.pushover import DRAWN, VARIANTS, laid
 from rocking.records import RecordError, read_table
 from rocking.records.check import check_runs, reach_g
-from rocking.runtime import cluster, command_line, file_times, first_page, interrupts, progress
+from rocking.runtime import (
+    cluster,
+    command_line,
+    file_times,
+    first_page,
+    interrupts,
+    made_of,
+    progress,
+)
 from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
 from rocking.runtime.fallback import left_out_if_unknown
 from rocking.runs import CurveKey, Runs
+from rocking.runs.names import any_of
 from rocking import version
 from yade_scripts.engine import parent_process
 from yade_scripts.model.registry import COMPLETE, MODELS, REFERENCE_MODELS, PUSHED, WITH_WALLS
@@ -61,7 +70,7 @@ def stop(error):
     sys.exit(f"error: {error}")
 
 
-if fault := results_folder.fault():
+if fault := results_folder.fault(RESULTS):
     stop(fault)
 if workflow.is_main_process and (fault := command_line.fault()):
     stop(fault)
@@ -76,7 +85,7 @@ try:
 except (configuration.ConfigError, RecordError) as error:
     stop(error)
 
-for folder in (".snakemake", "results/.shared", *(f"results/{run}" for run in RUNS.settings)):
+for folder in (".snakemake", *(f"{RESULTS}/{name}" for name in (".shared", *RUNS.settings))):
     if fault := results_folder.fault(folder):
         stop(fault)
 RUNS.refuse(FINDINGS)
@@ -169,8 +178,8 @@ def figure(name, category, result, about=None, **labels):
 
 
 wildcard_constraints:
-    run="|".join(re.escape(name) for name in RUNS.settings),
-    record="|".join(sorted({re.escape(r) for rows in RUNS.tables.values() for r in rows})),
+    run=any_of(RUNS.settings),
+    record=any_of(sorted({record for rows in RUNS.tables.values() for record in rows})),
     model="|".join(WITH_WALLS),
     direction="pos|neg",
     motions="[0-9a-f]+",

@@ -1,8 +1,7 @@
 # Runs side by side: a grid, scenarios, or finished runs by name.
-import csv
-
 import yaml
 from rocking.configuration.differences import differences
+from rocking.runs import finished
 
 RESOLVED = results("config.yaml")  # configuration of a finished run
 
@@ -29,6 +28,8 @@ def compared_tables(wildcards):
             stop(
                 f"compare: no finished run '{run}' ({path}); there are {', '.join(there) or 'none'}"
             )
+        if run not in RUNS.settings and (gone := finished.models_gone(path)):
+            stop(f"compare: {gone}")
     if len(compared()) < 2:
         stop(
             "compare: one run only; give a grid, scenarios, or finished runs, as in"
@@ -45,8 +46,8 @@ def compared_facts(wildcards):
             job = Of(run=run)
             found += of_run(rules.record.output.facts)(job)
             continue
-        with open(collapse_of(run), encoding="utf-8", newline="") as handle:
-            names = list(dict.fromkeys(row["record"] for row in csv.DictReader(handle)))
+        rows = finished.curves_of(collapse_of(run))
+        names = list(dict.fromkeys(row["record"] for row in rows))
         paths = expand(rules.own_record.output.facts, run=run, record=names)
         found += [path for path in paths if Path(path).is_file()]
     return list(dict.fromkeys(found))

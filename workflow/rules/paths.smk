@@ -2,7 +2,11 @@
 # that makes it; other rules name that rule: `rules.planar_ida.output.scan`, or by the functions below.
 from snakemake.io import get_wildcard_names
 
-RESULTS = "results"
+# A module's `prefix` is of results alone: Snakemake would put it before records and the code's stamps too,
+# and not into params. Kept at the modifier, which every `use rule` of one module shares.
+if (modifier := workflow.modifier.path_modifier) and getattr(modifier, "prefix", None):
+    modifier.of_results, modifier.prefix = modifier.prefix, None
+RESULTS = getattr(modifier, "of_results", "") + "results"
 
 
 class Of(dict):

@@ -32,7 +32,7 @@ rule shared_files:
 
 rule own_record:
     input:
-        of_run(rules.record.output.record),
+        of_run(rules.record.output),
     output:
         record=results("records/{record}.csv"),
         facts=results("records/{record}.json"),
@@ -58,7 +58,7 @@ use rule own_record as own_floor_motions with:
 
 use rule own_record as own_figure with:
     input:
-        lambda w: of_run(PICTURES[w.picture].png)(w),
+        lambda w: of_run(PICTURES[w.picture])(w),
     output:
         results("figures/{picture}_{record}.png"),
         results("figures/{picture}_{record}.pdf"),
@@ -71,14 +71,19 @@ use rule own_record as own_figure with:
 
 
 def deleted_links(wildcards):
-    """Input function: a run's own names for shared files that somebody deleted since they were made.
+    """Input function: a run's own names for shared files that are gone or another file since.
 
-    No rule takes them as input, so Snakemake would not miss them.
+    No rule takes them as input, so Snakemake would not miss them; which of the others differ,
+    digests tell.
     """
     (made,) = expand(rules.shared_files.output, run=wildcards.run)
     if not Path(made).exists():
         return []
-    named = [
-        Path(made).parents[1].joinpath(*Path(path).parts[-2:]) for path in of_records(wildcards)
-    ]
-    return [path.as_posix() for path in named if not path.exists()]
+    kept = [Path(path) for path in of_records(wildcards)]
+    named = [(path, Path(made).parents[1].joinpath(*path.parts[-2:])) for path in kept]
+    return [own.as_posix() for path, own in named if not own.exists() or is_other(own, path)]
+
+
+def is_other(own, kept):
+    """Whether a run's name is of another file than the shared one that is there."""
+    return kept.exists() and not own.samefile(kept)

@@ -2,15 +2,19 @@
 
 A journal is a JSON-lines file beside the results. Each line carries a key that
 hashes everything the run depended on, so a changed parameter, record or module
-never finds a stale row, and a job killed half way keeps what it had.
+never finds a stale row, and a job killed half way keeps what it had. It ends in a digest of itself:
+a line that was cut or changed counts as not there, and its run is computed again.
 """
 
+import contextlib
 import hashlib
 import json
 import os
 from pathlib import Path
 
 from yade_scripts.files import named, write_atomic
+
+SUM_DIGITS = 16
 
 
 def run_key(*parts):
@@ -25,26 +29,38 @@ def run_key(*parts):
     return digest.hexdigest()[:32]
 
 
+def _line(entry):
+    """An entry as a line that has its digest too; floats survive, as JSON has all their digits."""
+    return json.dumps({**entry, "sum": run_key(entry)[:SUM_DIGITS]}, sort_keys=True)
+
+
+def _entry(line):
+    """The entry of a line; ValueError where it is not as it was written."""
+    try:
+        entry = json.loads(line)
+        written = entry.pop("sum")
+        if written == run_key(entry)[:SUM_DIGITS]:
+            return entry["key"], entry["row"]
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        pass
+    raise ValueError("no line of a journal")
+
+
 class Journal:
     """Rows by key, appended durably."""
 
     def __init__(self, path):
-        """Read the complete lines of `path`; a torn last line is dropped."""
+        """Read the lines of `path` that are whole; the others are dropped, from the file too."""
         self.path = Path(path)
         self.rows = {}
         if self.path.exists():
-            good = b""
-            for line in self.path.read_bytes().splitlines(keepends=True):
-                try:
-                    entry = json.loads(line)
-                    key, row = entry["key"], entry["row"]
-                except (ValueError, KeyError, TypeError):
-                    break  # torn by a kill: everything after it is suspect
-                if not line.endswith(b"\n"):
-                    break
-                self.rows[key] = row
-                good += line
-            if good != self.path.read_bytes():
+            good, data = b"", self.path.read_bytes()
+            for line in data.splitlines(keepends=True):
+                with contextlib.suppress(ValueError):
+                    key, row = _entry(line)
+                    self.rows[key] = row
+                    good += line if line.endswith(b"\n") else line + b"\n"
+            if good != data:
                 write_atomic(self.path, good)
 
     def get(self, key):
@@ -57,7 +73,7 @@ class Journal:
         OSError that names the file, if the line could not be written whole.
         """
         self.rows[key] = row
-        line = json.dumps({"key": key, "reason": reason, "row": row}, sort_keys=True) + "\n"
+        line = _line({"key": key, "reason": reason, "row": row}) + "\n"
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)
             with open(self.path, "ab") as handle:

@@ -14,7 +14,7 @@ import signal
 import subprocess
 import time
 
-from .workspace import PARTS, RESULTS, ROOT, wait_until
+from .workspace import PARTS, RESULTS, ROOT, STUDY, wait_until
 
 PATIENCE_S = 900.0  # longest wait for a disturbed run
 
@@ -198,6 +198,79 @@ def torn_journal(space, rng, seconds):
     return f"{cut} journals cut at a random byte"
 
 
+def _whole(space):
+    """The study done, so that what it made can be damaged."""
+    status = space.start().wait(PATIENCE_S)
+    assert not status, f"the undisturbed run ended with {status}, {_first_error(space)}"
+
+
+def _in_place(path, data, rng):
+    """Other bytes in the same file, dated as it was or earlier."""
+    at = path.stat()
+    with open(path, "r+b") as handle:
+        handle.write(data)
+        handle.truncate()
+    earlier_s = rng.choice([0.0, 86400.0])
+    os.utime(path, (at.st_atime, at.st_mtime - earlier_s))
+
+
+def cut_at_a_line_end(space, rng, seconds):
+    """A table or a motion cut where a line ends: what is left reads as whole."""
+    _whole(space)
+    found = [p for p in space.made() if p.suffix in (".csv", ".jsonl")]
+    path = rng.choice([p for p in found if p.read_bytes().count(b"\n") > 1])
+    lines = path.read_bytes().splitlines(keepends=True)
+    left = rng.randint(1, len(lines) - 1)
+    _in_place(path, b"".join(lines[:left]), rng)
+    return f"{path.relative_to(space.folder)}: {left} of {len(lines)} lines left"
+
+
+def changed_byte(space, rng, seconds):
+    """One digit, or any byte, of one file of the results changed in place."""
+    _whole(space)
+    path = rng.choice(space.made())
+    data = bytearray(path.read_bytes())
+    digits = [k for k, byte in enumerate(data) if byte in b"0123456789"]
+    place = rng.choice(digits) if digits and rng.random() < 0.7 else rng.randrange(len(data))
+    before = data[place]
+    others = b"0123456789" if before in b"0123456789" else bytes(range(256))
+    data[place] = rng.choice([byte for byte in others if byte != before])
+    _in_place(path, bytes(data), rng)
+    return f"{path.relative_to(space.folder)}: byte {place} is {data[place]} for {before}"
+
+
+def missing_notes(space, rng, seconds):
+    """Results of other settings whose `.snakemake` is gone; now and then killed half way."""
+    study = space.folder / STUDY
+    ours = study.read_text()
+    other = rng.choice(["facade: {height_m: 5.0}", "smdof: {period_s: 0.4}", "seed: 3", ""])
+    study.write_text(f"{ours}{other}\n")
+    process = space.start()
+    if rng.random() < 0.5:
+        _moment(process, rng, seconds)
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGKILL)
+    ended = _ended(process)
+    wait_until(lambda: not space.processes(), 20.0)
+    study.write_text(ours)
+    shutil.rmtree(space.folder / ".snakemake", ignore_errors=True)
+    return f"made with {other or 'the same settings'}, {ended}, then without .snakemake"
+
+
+def older_record(space, rng, seconds):
+    """What a record is made of, replaced by a file of an older date."""
+    path = space.folder / "config" / "surrogates.yaml"
+    ours, at = path.read_text(), path.stat()
+    other = ours.replace("rms_m_s2: 0.35, frequency_hz: 1.8", "rms_m_s2: 0.40, frequency_hz: 1.8")
+    assert other != ours, "BUCAR0 has another noise in surrogates.yaml"
+    path.write_text(other)
+    _whole(space)
+    path.write_text(ours)
+    older_s = rng.choice([0.0, 3600.0, 4e7])
+    os.utime(path, (at.st_atime, at.st_mtime - older_s))
+    return f"surrogates.yaml with other noise, then as it was, {older_s:.0f} s older"
+
+
 def interrupted_install(space, rng, seconds):
     """The installation killed at a random moment, then given again."""
     folder = space.folder.with_name("install")
@@ -268,8 +341,13 @@ FAULTS = {
     "clock change": clock,
     "torn journal": torn_journal,
     "interrupted install": interrupted_install,
+    "cut at a line end": cut_at_a_line_end,
+    "changed byte": changed_byte,
+    "missing .snakemake": missing_notes,
+    "older-dated record": older_record,
 }
 NEEDS_MOUNT = ("full disk",)
+TAKES_ROWS = ("torn journal", "cut at a line end", "changed byte")  # out of journals
 
 
 def available():

@@ -1,6 +1,6 @@
 """Trials of faults: disturb a run, give the same command again, compare with an undisturbed run.
 
-    .venv/bin/python tests/trials/faults/trials.py --trials 56 --seed 1 --output faults.csv
+    .venv/bin/python tests/trials/faults/trials.py --trials 80 --seed 1 --output faults.csv
 
 In pieces, `--trials 20` and then `--trials 40 --first 21` are the same trials; the table goes on.
 
@@ -82,7 +82,7 @@ class Bench:
         space = Workspace(self.folder / "work").copy_of(self.kept[start])
         try:
             detail = inject.FAULTS[fault](space, rng, self.seconds[start])
-            outcome = self.aftermath(space, keep=fault != "torn journal")
+            outcome = self.aftermath(space, keep=fault not in inject.TAKES_ROWS)
             detail = f"{start}: {detail}"
         except (AssertionError, OSError, subprocess.SubprocessError) as error:
             outcome, detail = "FAILED", f"{start}: {type(error).__name__} {error}"
@@ -155,7 +155,7 @@ def run_trials(count, seed, output, faults=None, folder=None, say=print, first=1
 def main():
     """Run the trials; exit status 1 if one did not hold."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--trials", type=int, default=56)
+    parser.add_argument("--trials", type=int, default=80)
     parser.add_argument("--first", type=int, default=1, help="number of the first trial")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--output", help="table to write (CSV)")

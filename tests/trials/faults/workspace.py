@@ -126,6 +126,13 @@ class Workspace:
                     continue
         return rows
 
+    def made(self):
+        """Files that hold results, of this run and of those that runs share, in order."""
+        top = self.folder / RESULTS
+        kept = (".csv", ".json", ".jsonl", ".png")
+        files = [p for folder in (top, top.parent / ".shared") for p in sorted(folder.rglob("*"))]
+        return [p for p in files if p.suffix in kept and p.stat().st_size]
+
     def digests(self):
         """Digest of every table, record, scene and PNG of the results, by path."""
         top = self.folder / RESULTS

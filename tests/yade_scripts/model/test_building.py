@@ -368,9 +368,9 @@ def test_floating_brick_is_refused_by_name():
 
 
 def test_missing_plan_file_is_one_line(tmp_path):
-    with pytest.raises(PlanError, match="none.yaml: cannot be read"):
+    with pytest.raises(PlanError, match="none.yaml: No such file"):
         read_plan(tmp_path / "none.yaml")
     broken = tmp_path / "broken.yaml"
     broken.write_text("walls: [")
-    with pytest.raises(PlanError, match=r"broken.yaml, line 1: not valid YAML"):
+    with pytest.raises(PlanError, match=r"broken.yaml line 1: "):
         read_plan(broken)

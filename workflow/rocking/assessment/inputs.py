@@ -1,6 +1,5 @@
 """What an assessment needs to be told, checked before anything is planned."""
 
-import subprocess
 from collections.abc import Mapping
 
 from rocking.assessment import national
@@ -108,16 +107,6 @@ def every_value(settings):
         else:
             found[key] = value
     return found
-
-
-def commit_of(folder):
-    """Commit of the checkout in a folder; "none" where it is no checkout."""
-    words = ["git", "-C", str(folder), "rev-parse", "HEAD"]
-    try:
-        done = subprocess.run(words, capture_output=True, text=True, timeout=20.0, check=True)
-    except (OSError, subprocess.SubprocessError):
-        return "none"
-    return done.stdout.strip()
 
 
 def _checked(key, read, *arguments):

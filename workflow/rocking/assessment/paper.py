@@ -17,6 +17,8 @@ import jinja2
 import matplotlib.pyplot as plt
 from markupsafe import Markup, escape
 
+from rocking.figures import style
+
 TEMPLATES = Path(__file__).parent / "templates"
 VARIANT = "pdf/a-3u"
 DATE = "SOURCE_DATE_EPOCH"  # of fonts, as fontTools reads it
@@ -74,6 +76,7 @@ def image(picture):
         size = picture.wide_mm * MM, picture.height_mm * MM
         figure = plt.figure(figsize=size, layout="constrained")
         picture.draw(figure)
+        style.settle_math(figure)
         data = io.BytesIO()
         figure.savefig(data, format="svg", metadata={"Date": None, "Creator": None})
         plt.close(figure)
@@ -94,8 +97,8 @@ def page(context):
     )
     environment.filters |= {"broken": broken, "image": image}
     environment.globals |= {"kind": kind, "WHOLE": WHOLE}
-    style = Markup((TEMPLATES / "report.css").read_text("utf-8"))
-    return environment.get_template("report.html.j2").render(style=style, **context)
+    sheet = Markup((TEMPLATES / "report.css").read_text("utf-8"))
+    return environment.get_template("report.html.j2").render(style=sheet, **context)
 
 
 def write_pdf(path, text):

@@ -291,10 +291,12 @@ def kept(data, digest):
     verdicts = data.tables["verdicts"]
     worst = f" Least agreement: {per_cent(verdicts['agree'].min())}." if len(verdicts) else ""
     return [
-        f"Configuration with every key, table of motions, the site's files, every table behind a "
-        f"number above, and program with version are in {place}/, with this report. No later "
-        "command rewrites that folder.",
-        f"Its {evidence.SUMS} lists the SHA-256 of every file and has itself the SHA-256 {digest}.",
+        f"Configuration with every key, table of motions, digests of their files, the site's "
+        f"files, every table behind a number above, and program with version are in {place}/, "
+        "with this report. No later command rewrites that folder.",
+        f"Its {evidence.LIST} lists the SHA-256 of every file behind this report and has itself "
+        f"the SHA-256 {digest}. `sha256sum -c {evidence.SUMS}` there checks these files and the "
+        "report.",
         f"Behind the collapse probabilities stand {histories} histories by the planar "
         f"solver.{worst}",
     ]

@@ -2,9 +2,10 @@
 
 from functools import cache
 
-import yaml
 from scipy.optimize import brentq
 
+from rocking.configuration.files import read_yaml
+from rocking.configuration.schema import ConfigError
 from yade_scripts.files import read_json
 from yade_scripts.model.building.assembly import build
 from yade_scripts.model.building.bricks import Brick
@@ -26,14 +27,9 @@ LARGEST_LOAD_KG_M2 = 20000.0
 def read_plan(path):
     """Read and check a plan file; PlanError in one line with file and part."""
     try:
-        with open(path, encoding="utf-8") as handle:
-            data = yaml.safe_load(handle)
-    except OSError as error:
-        raise PlanError(f"{path}: cannot be read ({error.strerror})") from None
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        line = f", line {mark.line + 1}" if mark else ""
-        raise PlanError(f"{path}{line}: not valid YAML") from None
+        data = read_yaml(path)
+    except ConfigError as error:
+        raise PlanError(error.detail) from None
     return plan_from_dict(data, str(path))
 
 

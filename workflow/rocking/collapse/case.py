@@ -14,12 +14,10 @@ from numbers import Real
 from os import PathLike
 from typing import Any
 
-import yaml
-
 from rocking.configuration import config as configuration
 from rocking.configuration import refusals, schema
 from rocking.configuration.facade import WEAKEST, check_facade
-from rocking.configuration.files import check_files
+from rocking.configuration.files import read_yaml
 from rocking.fidelity import choose, read_fidelity
 from rocking.mechanics.beta import LAW_FILE, beta_and_range, beta_for
 from rocking.records.reader import nearest
@@ -142,8 +140,7 @@ class Case:
         if not isinstance(given, (str, PathLike, Mapping)):
             raise TypeError(f"{type(given).__name__} given: expected a file, or values by key")
         if not isinstance(given, Mapping):
-            check_files([given := found(given)])
-            given = yaml.safe_load(given.read_text("utf-8")) or {}
+            given = read_yaml(found(given)) or {}
         if several := [key for key in schema.STUDY_KEYS if given.get(key)]:
             raise ValueError(
                 f"{several[0]}: describes several cases; expected one, and others by Case.varied"

@@ -3,11 +3,12 @@
 import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import Any
 
 import yaml
 
 from rocking.configuration.differences import flat
-from rocking.configuration.schema import ConfigError
+from rocking.configuration.schema import MAX_VALUES, ConfigError
 from yade_scripts.files import write_atomic
 
 
@@ -74,34 +75,101 @@ class _UniqueKeys(yaml.SafeLoader):
         return super().construct_mapping(node, deep)
 
 
-def _refuse_other_bases(text, name):
-    """Refuse a number that YAML reads as another: 010 is 8, 1:30 is 90, 0x10 is 16."""
-    for event in yaml.parse(text, yaml.SafeLoader):
-        if not isinstance(event, yaml.ScalarEvent) or not event.implicit[0]:
+MAX_BYTES = 250_000  # PyYAML takes seconds for it; MAX_VALUES values are no more
+MAX_NODES = 3 * MAX_VALUES  # keys, values, lists and sections, those of aliases each time
+MAX_NUMBER = 64  # characters
+TEMPLATE = "__use_yte__"  # with it Snakemake runs expressions of the file as Python
+_NUMBERS = ("tag:yaml.org,2002:int", "tag:yaml.org,2002:float")
+
+
+def _refuse_growth(node, name):
+    """Refuse what aliases let grow beyond all measure, or without end.
+
+    A merge (`<<`) copies what an alias stands for; nine aliases of nine aliases, and so on, make
+    millions of values of 500 bytes. Here each is counted once, and what it stands for multiplied.
+    """
+    sizes: dict[int, int | None] = {}
+
+    def size(one):
+        if id(one) not in sizes:
+            sizes[id(one)] = None
+            parts = one.value if isinstance(one, yaml.CollectionNode) else ()
+            pairs = isinstance(one, yaml.MappingNode)
+            inner = [part for pair in parts for part in pair] if pairs else parts
+            sizes[id(one)] = 1 + sum(map(size, inner))
+        if (known := sizes[id(one)]) is None:
+            raise ConfigError(f"{name} line {one.start_mark.line + 1}: stands within itself")
+        return known
+
+    if (total := size(node)) > MAX_NODES:
+        raise ConfigError(f"{name}: {total:.4g} values with all aliases; expected {MAX_NODES}")
+
+
+def _numbers(node):
+    """Numbers below a node that are written without quotation marks, each once."""
+    todo, seen = [node], set()
+    while todo:
+        one = todo.pop()
+        if id(one) in seen:
             continue
-        value = yaml.safe_load(event.value) if event.value[:1] in "+-0123456789" else None
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
-            continue
-        try:
-            as_written = float(event.value) == value
-        except ValueError:
-            as_written = False
-        if not as_written:
-            line = event.start_mark.line + 1 if event.start_mark else "?"
+        seen.add(id(one))
+        if isinstance(one, yaml.MappingNode):
+            todo.extend(part for pair in reversed(one.value) for part in reversed(pair))
+        elif isinstance(one, yaml.SequenceNode):
+            todo.extend(reversed(one.value))
+        elif one.tag in _NUMBERS and one.style is None:
+            yield one
+
+
+def _refuse_long_numbers(node, name):
+    """Refuse a number of thousands of digits, before it is read."""
+    for one in _numbers(node):
+        if len(one.value) > MAX_NUMBER:
             raise ConfigError(
-                f"{name} line {line}: {event.value} is {value:g} to YAML; expected a decimal "
-                "number, or text in quotation marks"
+                f"{name} line {one.start_mark.line + 1}: a number of {len(one.value)} characters; "
+                f"expected at most {MAX_NUMBER}"
             )
 
 
-def check_text(text: str, name: str, empty: bool = True) -> None:
-    """Refuse the text of a configuration that is not YAML, or says what hardly is meant.
+def _refuse_other_bases(node, name):
+    """Refuse a number that YAML reads as another: 010 is 8, 1:30 is 90, 0x10 is 16."""
+    for one in _numbers(node):
+        value = yaml.safe_load(one.value) if one.value[:1] in "+-0123456789" else None
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            continue
+        try:
+            as_written = float(one.value) == value
+        except ValueError:
+            as_written = False
+        if not as_written:
+            shown = f"{float(value):g}"
+            raise ConfigError(
+                f"{name} line {one.start_mark.line + 1}: {one.value} is {shown} to YAML; expected a"
+                " decimal number, or text in quotation marks"
+            )
 
-    A key that stands twice, no keys at the top level, or a number that YAML reads as another; where
-    not `empty`, also nothing at all, which Snakemake does not take. The error has `name` and line.
-    """
+
+def _refuse_template(found, name):
+    """Refuse a file that asks for what Snakemake calls a template, whatever it says of it."""
+    if isinstance(found, Mapping) and TEMPLATE in found:
+        raise ConfigError(f"{name}: {TEMPLATE} would run code of the file; expected plain values")
+
+
+def _loaded(text: str, name: str):
+    """Content and node of a text that neither runs code nor stalls; ConfigError of any other."""
+    if (size := len(text.encode("utf-8", "surrogatepass"))) > MAX_BYTES:
+        raise ConfigError(f"{name}: {size} bytes; expected at most {MAX_BYTES} of a configuration")
+    loader = _UniqueKeys(text)
     try:
-        found = yaml.load(text, _UniqueKeys)
+        if (node := loader.get_single_node()) is None:
+            return None, None
+        _refuse_growth(node, name)
+        _refuse_long_numbers(node, name)
+        found = loader.construct_document(node)
+        _refuse_template(found, name)
+        return found, node
+    except ConfigError:
+        raise
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
         line = f" line {mark.line + 1}" if mark else ""
@@ -110,18 +178,71 @@ def check_text(text: str, name: str, empty: bool = True) -> None:
         # PyYAML lets the errors of its conversions through, such as those of the date 2024-13-45.
         reason = str(error).partition("\n")[0] or type(error).__name__
         raise ConfigError(f"{name}: not readable as YAML ({reason})") from None
+    finally:
+        loader.dispose()
+
+
+def check_text(text: str, name: str, empty: bool = True) -> None:
+    """Refuse the text of a configuration that is not YAML, or says what hardly is meant.
+
+    One that runs code or stalls, a key that stands twice, no keys at the top level, or a number
+    that YAML reads as another; where not `empty`, also nothing at all, which Snakemake does not
+    take. The error has `name` and line.
+    """
+    found, node = _loaded(text, name)
     if not isinstance(found, Mapping) and (found is not None or not empty):
         raise ConfigError(f"{name}: expected keys at the top level, as run: mine")
-    _refuse_other_bases(text, name)
+    if node is not None:
+        _refuse_other_bases(node, name)
+
+
+def read_text(path: str | os.PathLike) -> str:
+    """Text of a configuration file, of which no more is read than one may have; ConfigError."""
+    try:
+        with open(path, "rb") as handle:
+            data = handle.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise ConfigError(f"{path}: {error.strerror or error}") from None
+    if len(data) > MAX_BYTES:
+        raise ConfigError(f"{path}: larger than {MAX_BYTES} bytes; expected a configuration")
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise ConfigError(f"{path}: not UTF-8 text at byte {error.start}") from None
+
+
+def read_yaml(path: str | os.PathLike) -> Any:
+    """Content of a YAML file of a user's, read as strictly as a configuration; ConfigError."""
+    text = read_text(path)
+    check_text(text, str(path))
+    return _loaded(text, str(path))[0]
 
 
 def check_files(paths: Iterable[str | os.PathLike], empty: bool = True) -> None:
     """Refuse configuration files that cannot be read, or that `check_text` refuses."""
     for path in paths:
-        try:
-            text = Path(path).read_text("utf-8")
-        except OSError as error:
-            raise ConfigError(f"{path}: {error.strerror or error}") from None
-        except UnicodeDecodeError as error:
-            raise ConfigError(f"{path}: not UTF-8 text at byte {error.start}") from None
-        check_text(text, str(path), empty)
+        check_text(read_text(path), str(path), empty)
+
+
+def refuse_harmful(path: str | os.PathLike) -> None:
+    """Refuse a file that would run code in Snakemake's own reading of it, or let that stall.
+
+    What else is wrong with it others say. ConfigError of one line.
+    """
+    try:
+        text = read_text(path)
+    except ConfigError:
+        if not os.path.isfile(path) or os.path.getsize(path) <= MAX_BYTES:
+            return
+        raise
+    try:
+        node = yaml.compose(text, yaml.SafeLoader)
+        if node is None:
+            return
+        _refuse_growth(node, str(path))
+        _refuse_long_numbers(node, str(path))
+        _refuse_template(yaml.load(text, yaml.FullLoader), str(path))
+    except ConfigError:
+        raise
+    except (*_CONVERSION, yaml.YAMLError, RecursionError):
+        return

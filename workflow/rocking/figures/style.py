@@ -9,6 +9,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D
+from matplotlib.mathtext import MathTextParser
+from matplotlib.text import Text
 from matplotlib.ticker import LogFormatter, LogFormatterSciNotation
 from matplotlib.transforms import Bbox
 
@@ -38,7 +40,9 @@ SURROGATE_NOTE = (
     " direction is the weak one, they do not tell (docs/motions.md)."
 )
 
+matplotlib.rcdefaults()  # whatever a file matplotlibrc of the user or the working folder sets
 plt.style.use(Path(__file__).with_name("paper.mplstyle"))
+MATH = MathTextParser("path")
 
 
 class PlainNumbers(LogFormatter):
@@ -137,12 +141,28 @@ def _settle(axis):
     return covers
 
 
+def as_written(text):
+    """A user's words for a figure, in which $ is a sign as any other."""
+    return str(text).replace("$", r"\$")
+
+
+def settle_math(figure):
+    """Show text as it is written where its signs $ hold no mathematics that can be read."""
+    for text in figure.findobj(Text):
+        if "$" in (words := text.get_text()):
+            try:
+                MATH.parse(words)
+            except ValueError:
+                text.set_parse_math(False)
+
+
 def save(figure, output, facts=()):
     """Save a figure to those of the job's outputs that are pictures, without dates; close it.
 
     `facts` are one or more provenance files of the records whose results it shows; what they say is
     added below the figure, which keeps its size.
     """
+    settle_math(figure)
     plain_numbers(figure)
     settle_legends(figure)
     box = figure.bbox_inches.extents
@@ -163,7 +183,7 @@ def save(figure, output, facts=()):
 
 def provenance(facts):
     """Say where a record comes from, for titles: one of `records.record.SOURCES`."""
-    return f"{facts['name']} ({facts['source']})"
+    return as_written(f"{facts['name']} ({facts['source']})")
 
 
 def titles(facts):
@@ -175,7 +195,7 @@ def origins(facts, width_in):
     """Where records of one or more provenance files come from, below a figure so wide [inch]."""
     paths = [facts] if isinstance(facts, str) else facts
     lines = sources([read_json(path) for path in paths])
-    return "\n".join(_balanced(line, int(20 * width_in)) for line in lines)
+    return "\n".join(_balanced(as_written(line), int(20 * width_in)) for line in lines)
 
 
 def _balanced(text, most):

@@ -26,6 +26,7 @@ from .errors import RecordError
 from .reader import open_file, pick
 from .record import G_M_S2, integrate, measures
 from .surrogate import DEFAULT_SEED, check_surrogate, generate
+from .text import MAX_BYTES
 
 WARN_PGA_G = 3.0
 WARN_OFFSET = 0.01  # mean over peak; a smaller one where its drift is farther than the motion
@@ -301,10 +302,14 @@ def _paths(row):
 
 
 def _digest(path):
-    try:
-        return hashlib.sha256(Path(path).read_bytes()).hexdigest()
-    except OSError:
+    """Digest of a file, of which no more is read than a record may have."""
+    if not Path(path).is_file():
         return ""  # reading it says what is wrong
+    try:
+        with open(path, "rb") as handle:
+            return hashlib.sha256(handle.read(MAX_BYTES + 1)).hexdigest()
+    except OSError:
+        return ""
 
 
 @once

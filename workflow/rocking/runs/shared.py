@@ -23,6 +23,7 @@ class Shared:
     def __init__(self, settings):
         """Name the settings of each run."""
         self.settings = settings
+        self._alike: dict[tuple, dict] = {}
         self.keys = {
             run: {
                 "motions": _key(s["records_table"], self.treatment(run)),
@@ -37,8 +38,14 @@ class Shared:
 
     def alike(self, wildcards) -> list[str]:
         """Runs with the settings behind a file, by its wildcards `motions` and `chain`."""
-        wanted = {k: v for k, v in dict(wildcards).items() if k in ("motions", "chain")}
-        return [run for run, keys in self.keys.items() if wanted.items() <= keys.items()]
+        asked = dict(wildcards)
+        names = tuple(name for name in ("motions", "chain") if name in asked)
+        if names not in self._alike:
+            self._alike[names] = {}
+            for run, keys in self.keys.items():
+                known = tuple(keys[name] for name in names)
+                self._alike[names].setdefault(known, []).append(run)
+        return list(self._alike[names].get(tuple(asked[name] for name in names), []))
 
     def label(self, wildcards) -> str:
         """Runs alike, in the report."""

@@ -4,6 +4,9 @@ import contextlib
 import fcntl
 import hashlib
 import os
+import stat
+import sys
+from functools import cache as cache_once
 from pathlib import Path
 from typing import Any
 
@@ -12,8 +15,37 @@ from numba.core.caching import IndexDataCacheFile
 from numba.extending import register_jitable
 
 OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}  # without the interpreter's lock
+OTHERS = stat.S_IWGRP | stat.S_IWOTH  # may write
 UNCOUNTED: dict[str, Any] = {"_nrt": False}  # without numba's counts of who refers to an array
 WITHIN: Any = {"forceinline": True, "no_cfunc_wrapper": True, **OPTIONS, **UNCOUNTED}
+
+
+def is_own(path, source):
+    """Whether nobody but this user, root and who can write the source may write a file or folder.
+
+    What lies in a cache is run. One that is this user's and that others may write too is closed to
+    them where that can be done, unless the source beside it is as open.
+    """
+    try:
+        at, code = os.stat(path), os.stat(Path(source).parent)
+    except OSError:
+        return False
+    mine = at.st_uid == os.geteuid()
+    if not mine and at.st_uid not in (0, code.st_uid):
+        return False
+    allowed = code.st_mode & (OTHERS if at.st_gid == code.st_gid else stat.S_IWOTH)
+    if not (open_to := at.st_mode & OTHERS & ~allowed):
+        return True
+    return False if not mine or not os.path.isdir(path) else _closed(path, at.st_mode & ~open_to)
+
+
+def _closed(path, mode):
+    """Close a folder to others; whether that could be done."""
+    try:
+        os.chmod(path, stat.S_IMODE(mode))
+    except OSError:
+        return False
+    return True
 
 
 class KeptLoops(IndexDataCacheFile):
@@ -23,7 +55,11 @@ class KeptLoops(IndexDataCacheFile):
     already, of the source before. Who reads then, or after whoever wrote was killed then, runs the
     old machine code, or crashes in it where types have changed. Here a file is named by what stands
     in it, and the index names none that is not there.
+
+    Machine code is run: a file that others may have written counts as not there.
     """
+
+    source = ""  # of the function
 
     def save(self, key, data):
         """Keep what was compiled; one process at a time where the file system has locks."""
@@ -37,10 +73,25 @@ class KeptLoops(IndexDataCacheFile):
 
     def _load_index(self):
         """Read what is of this source; an index that names modules that are gone is of another."""
+        if os.path.exists(self._index_path) and not is_own(self._index_path, self.source):
+            return {}
         try:
             return super()._load_index()
         except (ImportError, AttributeError):
             return {}
+
+    def _load_data(self, name):
+        """Read machine code; numba takes an OSError for none."""
+        if not is_own(path := self._data_path(name), self.source):
+            raise PermissionError(f"{path}: others may have written it")
+        return super()._load_data(name)
+
+    @contextlib.contextmanager
+    def _open_for_write(self, filepath):
+        """Write a file that others cannot, whatever is usual here."""
+        with super()._open_for_write(filepath) as handle:
+            os.fchmod(handle.fileno(), 0o644)
+            yield handle
 
     @contextlib.contextmanager
     def _alone(self):
@@ -70,12 +121,26 @@ def compiled(function, **more):
         made: Any = njit(cache=True, **OPTIONS, **more)(function)
     except RuntimeError:  # numba found no folder for its cache
         return njit(**OPTIONS, **more)(function)
+    if not is_own(made._cache.cache_path, function.__code__.co_filename):
+        _said_foreign(made._cache.cache_path)
+        return njit(**OPTIONS, **more)(function)
     beside = sorted(Path(function.__code__.co_filename).parent.glob("*.py"))
     digest = hashlib.sha256(b"".join(path.read_bytes() for path in beside)).hexdigest()
     cache = made._cache
     stamp = (cache._cache_file._source_stamp, digest)
     cache._cache_file = KeptLoops(cache.cache_path, cache._impl.filename_base, stamp)
+    cache._cache_file.source = function.__code__.co_filename
     return made
+
+
+@cache_once
+def _said_foreign(path):
+    """Say once a folder why its machine code is not used."""
+    print(
+        f"warning: {path}: others may write there, so its machine code is not run and every start"
+        " compiles: NUMBA_CACHE_DIR on a folder of your own",
+        file=sys.stderr,
+    )
 
 
 def looped(function):

@@ -11,6 +11,7 @@ import errno
 import fcntl
 import os
 import socket
+import stat
 import sys
 import threading
 import time
@@ -19,6 +20,7 @@ from pathlib import Path
 FOLDER = Path(".snakemake") / "rocking"
 LOOK_S = 1.0
 WITHOUT = (errno.ENOLCK, errno.ENOTSUP, errno.EOPNOTSUPP, errno.ENOSYS, errno.EINVAL)
+NO_FILE = "expected a lock's file, not a link or another kind: remove it, then repeat the command"
 _held: list = []  # open files
 
 
@@ -29,10 +31,11 @@ class Busy(RuntimeError):
 def _take(path, how):
     """Lock a file; return it, None where the file system has no locks.
 
-    BlockingIOError with the text that the one who has it wrote.
+    BlockingIOError with the text that the one who has it wrote; ValueError of one line where the
+    path is no file of its own: what a link leads to would be emptied.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    handle = open(path, "a+")  # noqa: SIM115  kept open: closing it would release the lock
+    handle = _own_file(path)
     try:
         fcntl.flock(handle, how | fcntl.LOCK_NB)
     except BlockingIOError:
@@ -51,6 +54,22 @@ def _take(path, how):
         handle.write(f"process {os.getpid()} on {socket.gethostname()}\n")
         handle.flush()
     return handle
+
+
+def _own_file(path):
+    """Open a lock's file, which stays open: closing it would release the lock."""
+    flags = os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
+    try:
+        number = os.open(path, flags, 0o666)
+    except OSError as error:
+        if error.errno not in (errno.ELOOP, errno.EISDIR, errno.ENXIO):
+            raise
+        raise ValueError(f"{path}: {NO_FILE}") from None
+    at = os.fstat(number)
+    if not stat.S_ISREG(at.st_mode) or at.st_nlink > 1:
+        os.close(number)
+        raise ValueError(f"{path}: {NO_FILE}")
+    return os.fdopen(number, "a+")
 
 
 def hold(runs, reads=(), makes=(), folder="."):

@@ -11,6 +11,7 @@ from yade_scripts import sources
 from yade_scripts.files import named
 
 FOLDER = Path(".snakemake") / "code"
+NAME = "stamp"
 
 
 @cache
@@ -26,7 +27,7 @@ def stamp(script, folder=FOLDER):
     files, content = sources.sources(script), sources.digest(script)
     text = "\n".join([content, *map(str, files)]) + "\n"
     name = "-".join(script.with_suffix("").parts[-3:])
-    target = Path(folder) / name / "stamp"
+    target = Path(folder) / name / NAME
     before = target.read_text("utf-8") if target.is_file() else ""
     if before == text:
         return target
@@ -44,6 +45,11 @@ def stamp(script, folder=FOLDER):
         new.unlink(missing_ok=True)
         raise named(error, target) from None
     return target
+
+
+def content(path):
+    """Digest of the code that a stamp stands for, wherever that lies."""
+    return Path(path).read_text("utf-8").partition("\n")[0]
 
 
 def files(modules):

@@ -31,6 +31,8 @@ LIBRARIES = (
     "matplotlib.backends.backend_agg",
 )
 COMPILED, READY = "rocking.runtime.compiled", "rocking.runtime.ready"
+# the server starts by `python -c`, which would import what the working folder calls random.py
+SAFE_PATH = "PYTHONSAFEPATH"
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMEXPR_NUM_THREADS")
 
 
@@ -39,11 +41,13 @@ def is_current(modules, since_s):
     return all(os.stat(path).st_mtime < since_s for path in modules)
 
 
-def _script(path, folder, temporary):
+def _script(path, folder, temporary, safe):
     """Run a script in a process forked from the server."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
     os.chdir(folder)
+    if not safe:
+        os.environ.pop(SAFE_PATH, None)
     if temporary:
         os.environ.update(dict.fromkeys(("TMPDIR", "TMP", "TEMP", "TEMPDIR"), temporary))
     sys.argv = [path]
@@ -69,7 +73,7 @@ class Server:
         held = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
         try:
             # BLAS reads the number of its threads once, when the server imports it
-            with _environment(dict.fromkeys(THREADS, "1")):
+            with _environment(dict.fromkeys(THREADS, "1") | {SAFE_PATH: "1"}):
                 forkserver.ensure_running()
         finally:
             signal.pthread_sigmask(signal.SIG_SETMASK, held)
@@ -91,7 +95,9 @@ class Server:
         status than 0, OSError if it could not be started.
         """
         with self.lock:
-            process = self._start(_script, str(path), os.getcwd(), temporary)
+            process = self._start(
+                _script, str(path), os.getcwd(), temporary, SAFE_PATH in os.environ
+            )
         with watched(process.pid):
             wait([process.sentinel])
         with self.lock:

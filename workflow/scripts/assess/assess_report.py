@@ -12,6 +12,7 @@ from rocking.assessment.site import demand_said
 from rocking.assessment.values import values
 from rocking.runtime.script import run
 from rocking.tables import read_frame, read_tables, write_table
+from rocking.version import code
 
 
 def main(job):
@@ -27,12 +28,15 @@ def main(job):
         p.run,
         demand_said(config["assessment"], job.input.site),
         program,
-        p.commit[:12],
+        p.commit[:12] + "+" * p.commit.endswith("+"),
         f"results/{p.run}/assessment",
     )
+    drawn = {name: version(name) for name in ("matplotlib", "numpy", "weasyprint")}
+    facts = {"program": program, "commit": p.commit, "code_sha256": code(), "packages": drawn}
     texts = {
         "config.yaml": yaml.safe_dump(config, sort_keys=False, allow_unicode=True, width=100),
-        "version.json": json.dumps({"program": program, "commit": p.commit}, indent=1) + "\n",
+        "version.json": json.dumps(facts, indent=1) + "\n",
+        "accelerograms.sha256": evidence.sums_of_paths(job.input.records),
     }
     given = [*job.input.site, job.input.table]
     made = [*job.input.tables, *job.input.verdicts, *job.input.yade, job.output.values]

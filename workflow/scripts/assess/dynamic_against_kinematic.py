@@ -6,10 +6,9 @@ have been safe.
 
 import json
 
-import pandas as pd
 from rocking.assessment.comparison import disagreements, parts_against_whole
 from rocking.runtime.script import run
-from rocking.tables import read_frame, read_tables, write_table
+from rocking.tables import read_frame, read_tables, together, write_table
 
 
 def main(job):
@@ -19,11 +18,11 @@ def main(job):
         parts.append(read_frame(about["levels"]).assign(run=name, **known))
         for files in (about["collapse"], about["parts"]):
             collapse.append(read_tables(files).assign(run=name))
-    levels = pd.concat(parts, ignore_index=True)
+    levels = together(parts)
     write_table(levels, job.output.levels)
     partly = set(levels.loc[levels["part"] != "whole", "run"])
     write_table(disagreements(levels[~levels["run"].isin(partly)]), job.output.table)
-    write_table(parts_against_whole(levels, pd.concat(collapse)), job.output.parts)
+    write_table(parts_against_whole(levels, together(collapse)), job.output.parts)
 
 
 run(main, globals())

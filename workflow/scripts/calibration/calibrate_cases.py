@@ -2,16 +2,11 @@
 
 import json
 
-import yaml
 from rocking.calibration import free_rocking as study
 from rocking.configuration.config import resolve
+from rocking.configuration.files import read_yaml
 from rocking.runtime.script import run
 from rocking.tables import write_json
-
-
-def read_wall(path):
-    with open(path, encoding="utf-8") as handle:
-        return resolve(yaml.safe_load(handle))
 
 
 def main(job):
@@ -22,7 +17,7 @@ def main(job):
     elif group == "sensitivity":
         cases = study.sensitivity_cases(settings)
     elif group == "free_rocking_wall":
-        wall = read_wall(job.input.wall)
+        wall = resolve(read_yaml(job.input.wall))
         wall["facade"]["base"] = settings["base"]
         cases = study.wall_cases(
             settings, wall, settings["ratio_band"], settings["free_rocking_beta_s"]

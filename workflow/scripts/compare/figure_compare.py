@@ -4,13 +4,12 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
-import pandas as pd
 from rocking.collapse.probability import KEY, one_number
 from rocking.configuration.words import said
 from rocking.figures import style
 from rocking.figures.panels import common_legend
 from rocking.runtime.script import run
-from rocking.tables import headed, read_frame, write_table
+from rocking.tables import headed, read_frame, together, write_table
 
 from yade_scripts.model.registry import MODELS
 
@@ -24,7 +23,7 @@ def joined(paths, differing):
     for path, (name, values) in zip(paths, differing.items(), strict=True):
         facts = {"run": name} | {key: _plain(value) for key, value in values.items()}
         parts.append(headed(read_frame(path), **facts))
-    return pd.concat(parts, ignore_index=True)
+    return together(parts)
 
 
 def _plain(value):

@@ -4,7 +4,7 @@ import pandas as pd
 from rocking.collapse import agreement, probability
 from rocking.collapse.ida import by_curve, read_curve
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import together, write_table
 
 
 def main(job):
@@ -26,7 +26,7 @@ def main(job):
         rows.append(row)
         parts.append(table)
     write_table(rows, job.output.collapse, probability.COLUMNS, digits="%.4f")
-    write_table(pd.concat(parts), job.output.probability, digits="%.4f")
+    write_table(together(parts), job.output.probability, digits="%.4f")
 
 
 run(main, globals())

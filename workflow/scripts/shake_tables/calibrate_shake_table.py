@@ -3,9 +3,9 @@
 import json
 import os
 
-import yaml
 from rocking.calibration.shake_table import tests_of
 from rocking.configuration.config import ConfigError, resolve
+from rocking.configuration.files import read_yaml
 from rocking.fidelity import choose, read_fidelity
 from rocking.mechanics.beta import beta_for
 from rocking.records import load, read_table
@@ -17,8 +17,7 @@ from yade_scripts.model.floor_motions import write
 
 def main(job):
     settings = json.loads(job.params.settings)["calibration"]
-    with open(job.input.wall, encoding="utf-8") as handle:
-        wall = resolve(yaml.safe_load(handle))
+    wall = resolve(read_yaml(job.input.wall))
     wall["facade"]["base"] = settings["base"]
     wall["numerics"], _ = choose(wall, "W1", read_fidelity(job.input.fidelity))
     names = list(read_table(job.input.table))

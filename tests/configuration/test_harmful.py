@@ -1,0 +1,93 @@
+"""Configuration files that would run code or stall are refused in one line before they are read."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from forked import snakemake
+from rocking import Case
+from rocking.configuration.files import check_files, check_text, read_yaml, refuse_harmful
+from rocking.configuration.schema import ConfigError
+
+ROOT = Path(__file__).resolve().parents[2]
+RUNS = '__use_yte__: true\nrun: ?open("ran", "w").write("x") and "mine"\n'
+NINES = "a0: &a0 {k: 1}\n" + "".join(
+    f"a{k}: &a{k}\n  <<: [{', '.join([f'*a{k - 1}'] * 9)}]\n" for k in range(1, 9)
+)
+HARMFUL = {
+    "template": (RUNS, "__use_yte__"),
+    "template by a merge": ("b: &b {__use_yte__: true}\n<<: *b\nrun: ?1\n", "__use_yte__"),
+    "template as JSON": ('{"__use_yte__": true, "run": "x"}', "__use_yte__"),
+    "template, untrue": ("__use_yte__: 0\nrun: x\n", "__use_yte__"),
+    "merges of merges": (NINES, "values with all aliases"),
+    "lists of lists": (NINES.replace("<<:", "k:"), "values with all aliases"),
+    "itself": ("a: &a [*a]\n", "line 1: stands within itself"),
+    "much": ("".join(f"k{k}: {k}\n" for k in range(30_000)), "larger than 250000 bytes"),
+    "digits": (f"run: a\nseed: {'7' * 4000}\n", "line 2: a number of 4000 characters"),
+    "base 60": (f"seed: {'1' + ':59' * 4000}\n", "line 1: a number of 12001 characters"),
+}
+
+
+@pytest.mark.parametrize("name", HARMFUL)
+@pytest.mark.parametrize("read", [refuse_harmful, read_yaml, lambda path: check_files([path])])
+def test_a_file_that_runs_code_or_stalls_is_refused_in_one_line(tmp_path, name, read):
+    text, said = HARMFUL[name]
+    path = tmp_path / "theirs.yaml"
+    path.write_text(text)
+    with pytest.raises(ConfigError) as caught:
+        read(path)
+    line = str(caught.value)
+    assert said in line
+    assert str(path) in line
+    assert "\n" not in line
+
+
+def test_no_more_is_read_of_a_file_than_a_configuration_may_have(tmp_path):
+    path = tmp_path / "vast.yaml"
+    with open(path, "wb") as handle:
+        handle.truncate(50 * 2**30)  # without blocks of its own
+    for read in (refuse_harmful, read_yaml):
+        with pytest.raises(ConfigError, match="larger than 250000 bytes"):
+            read(path)
+
+
+def test_aliases_that_people_write_are_read():
+    check_text("a: &a {x: 1}\nb: {<<: *a, y: 2}\nc: [*a, *a]\n", "own.yaml")
+
+
+def test_a_case_of_a_template_is_refused(tmp_path):
+    path = tmp_path / "theirs.yaml"
+    path.write_text(RUNS)
+    with pytest.raises(ValueError, match="theirs.yaml: __use_yte__ would run code"):
+        Case.configured("W1", path)
+    with pytest.raises(ValueError, match="__use_yte__"):
+        Case.configured("W1", {"__use_yte__": True})
+
+
+def test_the_folder_s_own_file_runs_no_code_under_n_either(tmp_path):
+    (tmp_path / "config").mkdir()
+    (tmp_path / "config" / "config.yaml").write_text(RUNS)
+    done = snakemake(tmp_path, "-n", "--", "check")
+    assert done.returncode
+    (line,) = [one for one in done.stderr.splitlines() if one.startswith("error: ")]
+    assert "config/config.yaml: __use_yte__ would run code" in line
+    assert not (tmp_path / "ran").exists()
+
+
+def test_what_configfile_names_is_looked_at_before_snakemake_reads_it(tmp_path):
+    """By the command that `make setup` writes, and whichever way the option is spelt."""
+    (tmp_path / "theirs.yaml").write_text(RUNS)
+    start = [sys.executable, "-m", "rocking.runtime.start", "-s", str(ROOT / "workflow/Snakefile")]
+    done = subprocess.run(
+        [*start, "-n", "--cores", "1", "--configfiles=theirs.yaml", "--", "check"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1] == (
+        "error: config: theirs.yaml: __use_yte__ would run code of the file; expected plain values"
+    )
+    assert not (tmp_path / "ran").exists()
+    assert "from rocking.runtime.start import main" in (ROOT / "tools/setup.sh").read_text("utf-8")
