@@ -1,0 +1,65 @@
+"""Peaks that a file's head states, and the parts of a surrogate with a record's own pulses."""
+
+import numpy as np
+import pytest
+from record_samples import all_samples, put, read, refusal
+from rocking.records import Record
+from rocking.records.pulses import pulse_spec
+from rocking.records.surrogate_model import Pulse
+
+DT = 0.01
+# how the head states the peak, width and digits of its number, and what of it may be rounding
+STATED = {
+    "csmip.V2": (b"PEAK ACCELERATION =", 11, 3, 0.001),
+    "geonet.V1A": (b"Acceleration:  Peak", 9, 1, 0.002),
+    "geonet.V2A": (b"Acceleration:  Peak", 9, 1, 0.002),
+}
+
+
+@pytest.mark.parametrize("name", STATED)
+@pytest.mark.parametrize("factor", [0.8, 0.95, 0.0, 1.05, 1.25])
+def test_a_stated_peak_that_the_samples_have_not_is_refused(tmp_path, name, factor):
+    """A lost sample or a wrong unit of the text; just beyond what rounding explains too (0)."""
+    sample = next(one for one in all_samples() if one.name == name)
+    words, width, digits, rounding = STATED[name]
+    assert read(put(tmp_path, sample), sample).acceleration_m_s2.size
+    factor = factor or 1.0 + 1.6 * rounding
+    for other, fits in ((factor, False), (1.0 + 0.5 * rounding, True)):
+        parts = sample.data.split(words)
+        for k in range(1, len(parts)):
+            value = float(parts[k][:width])
+            parts[k] = f"{other * value:{width}.{digits}f}".encode() + parts[k][width:]
+        path = put(tmp_path, sample, words.join(parts))
+        if fits:
+            read(path, sample)
+        else:
+            assert "peak" in refusal(path, sample).lower()
+
+
+def record(*pulses):
+    """Pulses in a hum of 9 Hz that lasts from 2 to 22 s of 24 s, too fast to be a pulse."""
+    t = DT * np.arange(2401)
+    hum = 0.5 * np.sin(18.0 * np.pi * t) * ((t > 2.0) & (t < 22.0))
+    return Record("trial", hum + sum(p.acceleration(t) for p in pulses), DT, "file")
+
+
+@pytest.mark.parametrize(("period_s", "low_hz"), [(1.0, 0.8), (2.0, 0.4), (6.0, 0.3), (0.4, 1.5)])
+def test_the_noise_beside_pulses_begins_above_the_shortest_of_them(period_s, low_hz):
+    """At 0.8 of its frequency, from 0.3 to 1.5 Hz; its envelope is that of the hum."""
+    pulse = Pulse(1.0, period_s, 1.6, 0.0, 12.0)
+    spec = pulse_spec(record(pulse), 1)
+    (found,) = spec.pulses
+    assert spec.noise.low_cut_hz == pytest.approx(np.clip(0.8 / found.period_s, 0.3, 1.5), rel=1e-9)
+    assert spec.noise.low_cut_hz == pytest.approx(low_hz, rel=0.15)
+    # ∫a² of the hum grows evenly over its 20 s: 5 % at 3 s, 75 % at 17 s, 95 % at 21 s
+    assert spec.noise.rise_s == pytest.approx(3.0, abs=0.4)
+    assert spec.noise.strong_end_s == pytest.approx(17.0, abs=0.4)
+    assert spec.noise.decay_s == pytest.approx(2.0, abs=0.2)
+    assert spec.noise.rms_m_s2 == pytest.approx(0.5 / np.sqrt(2.0), rel=0.05)
+
+
+def test_of_two_pulses_the_shorter_one_sets_the_cut():
+    spec = pulse_spec(record(Pulse(1.0, 3.0, 1.6, 0.0, 7.0), Pulse(0.6, 1.0, 1.6, 0.0, 16.0)), 2)
+    periods = [pulse.period_s for pulse in spec.pulses]
+    assert max(periods) > 2.0 * min(periods)
+    assert spec.noise.low_cut_hz == pytest.approx(0.8 / min(periods))
