@@ -97,7 +97,7 @@ def test_en_1998_3_takes_a_tie_that_has_given_way_out_of_the_line():
 
 
 def test_what_pushes_takes_from_the_multiplier_and_nothing_from_d0():
-    """It does not bear: the block still turns until its weight line passes the toe, d0 = h sin α."""
+    """It does not bear: the block still turns until its weight line passes the toe: h sin α."""
     free = overturning(Facade(6.0, 0.6, 100e3))
     pushed = overturning(Facade(6.0, 0.6, 100e3, pushing_n=40e3))
     assert pushed.ultimate()[1] == pytest.approx(6.0 * math.sin(math.atan(0.1)), rel=1e-9)

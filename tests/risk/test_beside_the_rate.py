@@ -24,7 +24,8 @@ def test_the_share_from_beyond_the_table_is_that_below_and_above_it():
     Below the table λ(0.05) − λ(0.1) of the first; above it λ(0.4) of the first two, λ(0.8) of the
     third.
     """
-    curves = {("W1", name, "pos"): falls_from(g) for name, g in zip("ABC", (0.05, 0.15, 0.8))}
+    falls = {"A": 0.05, "B": 0.15, "C": 0.8}
+    curves = {("W1", name, "pos"): falls_from(g) for name, g in falls.items()}
     brackets = pd.DataFrame(
         {"low": [0.04, 0.14, 0.7], "high": [0.06, 0.16, 0.9], "weight": [1.0, 1.0, 1.0]}
     )
