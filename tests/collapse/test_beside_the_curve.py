@@ -32,6 +32,7 @@ def test_the_bound_is_that_of_the_window_with_the_fewest_histories(counts):
     assert len(hidden.windows(low_g, high_g)) == len(counts)
     for confidence in (0.95, 0.8):
         bound = hidden.unseen(table, low_g, high_g, confidence)
+        assert 0.0 < bound < 1.0
         assert (1.0 - bound) ** min(counts) == pytest.approx(1.0 - confidence, rel=1e-9)
 
 
