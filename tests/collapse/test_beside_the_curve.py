@@ -6,9 +6,11 @@ import pytest
 from rocking import Case, Motion, history
 from rocking.collapse import hidden, probability, quick
 from rocking.collapse.agreement import compared
+from rocking.collapse.cautions import cautions, scale_factors
 from rocking.collapse.crossing import between
+from rocking.collapse.ensemble import realisations_needed
 from rocking.records import Record
-from scipy.stats import fisher_exact
+from scipy.stats import beta, fisher_exact
 
 
 def rung(window, many, low_g=0.2):
@@ -133,3 +135,47 @@ def test_a_rotation_is_outward_where_the_top_is():
     speed = np.gradient(table["d_over_b"] * thickness, table["time_s"])[far]
     fastest = np.abs(speed).max()
     assert table["velocity_m_s"][far].to_numpy() == pytest.approx(speed, abs=0.1 * fastest)
+
+
+@pytest.mark.parametrize("away", [0.3, -0.3])
+def test_a_peak_off_the_branch_leaves_doubt_on_either_side_of_it(away):
+    low = hidden.windows(0.2, 0.2 * np.exp(5.5 * hidden.WINDOW))
+    pga_g = np.concatenate([rung(k, 10) for k in range(-1, 6)])
+    reached = 0.6 + np.zeros(pga_g.size)
+    assert not hidden.doubtful(pga_g, reached, low).any()
+    reached[45] += away
+    assert hidden.doubtful(pga_g, reached, low).any()
+
+
+def test_so_many_realisations_hold_the_median_of_draws():
+    """Of a uniform spread the median of n is distributed as Beta((n + 1)/2, (n + 1)/2)."""
+    values = (np.arange(4000) + 0.5) / 4000
+    for tolerance in (0.1, 0.2):
+        half = [(n, (n + 1) / 2) for n in range(3, 200, 2)]
+        inside = {
+            n: beta.cdf(0.5 + tolerance, a, a) - beta.cdf(0.5 - tolerance, a, a) for n, a in half
+        }
+        expected = next(n for n, share in inside.items() if share >= 0.9)
+        assert abs(realisations_needed(values, tolerance, 1) - expected) <= 4
+
+
+def test_what_never_fell_rests_on_no_histories():
+    table = pd.DataFrame({"pga_g": np.geomspace(0.1, 1.0, 300), "status": "ok", "collapsed": 0})
+    found = probability.summary(table.assign(d_over_b=0.1), (), (), 0.01)
+    assert np.isnan([found["collapse_fell"], found["collapse_realisations"]]).all()
+    assert np.isnan(found["pga_collapse_g"])
+    assert found["pga_safe_g"] == 1.0
+
+
+def test_a_curve_whose_band_is_wider_than_a_tenth_is_counted():
+    records = pd.DataFrame({"record": ["A"], "source": ["file"], "pga_g": [0.2]})
+    runs = pd.DataFrame({"record": ["A"], "pga_g": [0.3], "status": ["ok"]})
+    collapse = pd.DataFrame({"record": "A", "pga_collapse_g": [0.2, 0.2, 0.2]})
+    collapse = collapse.assign(pga_p10_g=[0.2, 0.2, np.nan], pga_p90_g=[0.23, 0.21, np.nan])
+    collapse = collapse.assign(pga_median_g=0.2, pga_all_g=0.3, pga_max_g=0.4)
+    factors = scale_factors(records, runs, collapse)
+    assert factors["scale_factor"].tolist() == pytest.approx([1.5])
+    wide = [line for line in cautions(records, runs, collapse, factors) if "no single" in line]
+    assert [line.split(" curves")[0] for line in wide] == ["1 of 3"]
+    narrow = collapse.assign(pga_p90_g=0.21)
+    assert not any("no single" in line for line in cautions(records, runs, narrow, factors))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from record_samples import all_samples, put, read, refusal
 from rocking.records import Record
-from rocking.records.pulses import pulse_spec
+from rocking.records.pulses import find_pulses, pulse_spec
 from rocking.records.surrogate_model import Pulse
 
 DT = 0.01
@@ -63,3 +63,12 @@ def test_of_two_pulses_the_shorter_one_sets_the_cut():
     periods = [pulse.period_s for pulse in spec.pulses]
     assert max(periods) > 2.0 * min(periods)
     assert spec.noise.low_cut_hz == pytest.approx(0.8 / min(periods))
+
+
+def test_a_record_shorter_than_the_longest_pulses_is_searched_for_the_others():
+    t = DT * np.arange(401)
+    made = Pulse(0.5, 1.0, 1.2, 0.0, 1.5)
+    (found,) = find_pulses(Record("short", made.acceleration(t), DT, "file"), 1)
+    assert found.period_s == pytest.approx(1.0, rel=0.1)
+    assert found.time_s == pytest.approx(1.5, abs=0.05)
+    assert find_pulses(Record("shortest", made.acceleration(t[100:200]), DT, "file"), 1) == ()

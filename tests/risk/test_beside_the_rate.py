@@ -6,7 +6,7 @@ import pytest
 from rocking.risk import rates
 from rocking.risk.collapse import COLUMNS, PARTS, risk_of
 from rocking.risk.fragility import Bootstrap, Fragility
-from rocking.risk.hazard import Hazard
+from rocking.risk.hazard import Hazard, HazardError, read_hazard
 
 LAW = Hazard("pga_g", np.array([0.1, 0.2, 0.4]), 1e-3 * np.array([0.1, 0.2, 0.4]) ** -2.0)
 SETTINGS = {"confidence": 0.9, "resamples": 200, "seed": 1, "min_stations": 12}
@@ -59,3 +59,19 @@ def test_the_band_holds_at_each_intensity_the_stated_part_of_the_curves():
     low, high = Bootstrap(median, np.full(101, 0.5), stations=20).band([0.3], 0.9)
     assert low[0] == pytest.approx(Fragility(median[95], 0.5).probability(0.3), rel=0.02)
     assert high[0] == pytest.approx(Fragility(median[5], 0.5).probability(0.3), rel=0.02)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("pga_g,annual_rate,remark\n0.1,0.1,a\n0.2,0.05,b\n", "columns pga_g, annual_rate, remark"),
+        ("annual_rate,pga_g\n0.1,0.1\n0.05,0.2\n", "expected one of pga_g"),
+        ("#,investigation_time=50.0, imt='PGA'\n", "expected the columns lon, lat"),
+    ],
+)
+def test_a_heading_that_is_none_is_said(tmp_path, text, words):
+    path = tmp_path / "hazard.csv"
+    path.write_text(text)
+    with pytest.raises(HazardError) as caught:
+        read_hazard(path, 0.27)
+    assert words in str(caught.value)

@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.formula import classes, fit, groups, law
-from rocking.studies import base_compliance, predictions, strengthening, two_components
+from rocking.studies import base_compliance, claims, predictions, strengthening, two_components
 
 GABLES = Path(__file__).resolve().parents[2] / "config" / "predictions" / "gables"
 
@@ -207,3 +207,42 @@ def test_a_class_is_refused_by_the_weight_that_lies_outside_and_not_by_the_numbe
             found = classes.fragility(weighted, "W1")
             assert (found["n"], found["n_outside"]) == (2, 1)
             assert found["median"] == pytest.approx(0.3)
+
+
+def test_limits_of_the_formula_are_the_stated_ends_or_those_that_came_out(monkeypatch):
+    monkeypatch.setattr(fit, "fitted", lambda *given: "fitted")
+    values = np.array([0.2, 0.5, 0.3])
+    design = pd.DataFrame({name: values + k for k, name in enumerate(groups.DIMENSIONS)})
+    table = pd.DataFrame({"base": "own", "facade": design.index[:3], "model": "W1"})
+    stated = groups.DIMENSIONS[0]
+    made_of = {"seed": 1, "ranges": {stated: [0.1, 0.9]}}
+    found = fit.law(table, design, {}, {}, made_of)
+    assert found["limits"][stated] == [0.1, 0.9]
+    for k, name in enumerate(groups.DIMENSIONS[1:], 1):
+        assert found["limits"][name] == pytest.approx([0.2 + k, 0.5 + k])
+    assert found["made_of"]["facades"] == 3
+    assert list(found["models"]) == ["W1"]
+
+
+def test_what_a_bond_buys_is_said_of_both_pairs_of_models():
+    capacity = pd.DataFrame({"W1": [0.2, 0.4], "W1c": [0.3, 0.6], "W2": [0.2, 0.2]})
+    text, holds = claims._no_help(capacity.assign(W2c=[0.22, 0.2]))
+    assert text == "W2c/W2 1.00 to 1.10, median 1.05; W1c/W1 median 1.50"
+    assert holds == (claims.HELP > 1.05)
+    assert claims._no_help(capacity) is None
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_run_s_own_pga_is_that_of_its_foot_whichever_way_it_goes(monkeypatch, sign):
+    foot = sign * np.array([0.0, 3.0, -1.0, 0.0])
+    motion = 0.01 * np.arange(4), foot, foot
+    answer = SimpleNamespace(overturned=np.array([True]))
+    monkeypatch.setattr(predictions, "foot_and_top_files", lambda *given: motion)
+    monkeypatch.setattr(predictions, "driving", lambda *given: None)
+    monkeypatch.setattr(predictions, "peaks", lambda *given: answer)
+    specimen, _ = predictions.read(GABLES)
+    specimen = {**specimen, "amplification": []}
+    runs = pd.DataFrame({"run": [1], "foot": ["a"], "top": ["b"]})
+    table = predictions.foot_and_top(specimen, runs, GABLES, False, 1)
+    assert table["pga_g"].to_numpy() == pytest.approx(3.0 / 9.80665)
+    assert (table["probability"] == 1.0).all()

@@ -19,7 +19,17 @@ MAY = {
     "smdof": {"numpy", "scipy"},
     "yade_scripts": {"numpy"},
     "workflow/rocking": {
-        *("numpy", "scipy", "pandas", "numba", "llvmlite", "yaml", "jsonschema", "matplotlib", "PIL"),
+        *(
+            "numpy",
+            "scipy",
+            "pandas",
+            "numba",
+            "llvmlite",
+            "yaml",
+            "jsonschema",
+            "matplotlib",
+            "PIL",
+        ),
         *("jinja2", "markupsafe", "weasyprint", "meshio", "pygments"),
         *("smdof", "yade_scripts", "rocking"),
     },

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from rocking.configuration import config
 
-from yade_scripts.model import part
+from yade_scripts.model import models, part
 from yade_scripts.model.floors import lever_of
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.shape import shape_of
@@ -89,3 +89,10 @@ def test_what_lies_above_a_held_level_bears_on_the_part_below_once():
     assert above["load_kn"] == pytest.approx(1e-3 * masonry + 18.0)
     assert above["arm_m"] == pytest.approx(arm, rel=1e-9)
     assert above["height_m"] == 3.0
+
+
+def test_bricks_take_their_own_step_and_scenes_by_hand_the_stated_one():
+    case = {"numerics": {"step_fraction": 0.3}, "w3": {"step_fraction": 0.1}}
+    steps = [models.numerics({**case, "model": name})["step_fraction"] for name in ("W1", "W3")]
+    assert steps == [0.3, 0.1]
+    assert models.numerics({**case, "scene": {}})["step_fraction"] == 0.3
