@@ -72,3 +72,31 @@ def test_a_record_shorter_than_the_longest_pulses_is_searched_for_the_others():
     assert found.period_s == pytest.approx(1.0, rel=0.1)
     assert found.time_s == pytest.approx(1.5, abs=0.05)
     assert find_pulses(Record("shortest", made.acceleration(t[100:200]), DT, "file"), 1) == ()
+
+
+@pytest.mark.parametrize("hum_m_s2", [0.1, 0.5])
+def test_the_noise_has_the_frequency_of_what_the_pulses_leave(hum_m_s2):
+    """1.2 times PGA/(2π PGV) of it: of a harmonic that alone would be its frequency."""
+    t = DT * np.arange(2401)
+    hum = hum_m_s2 * np.cos(11.0 * np.pi * (t - 2.0)) * ((t > 2.0) & (t < 22.0))
+    made = hum + Pulse(0.2, 2.0, 1.6, 0.0, 12.0).acceleration(t)
+    spec = pulse_spec(Record("trial", made, DT, "file"), 1)
+    rest = made - spec.pulses[0].acceleration(t)
+    velocity = np.concatenate([[0.0], np.cumsum(0.5 * DT * (rest[1:] + rest[:-1]))])
+    ratio = np.abs(rest).max() / np.abs(velocity).max()
+    assert 1.0 < 1.2 * ratio / (2.0 * np.pi) < 8.0
+    assert spec.noise.frequency_hz == pytest.approx(1.2 * ratio / (2.0 * np.pi), rel=1e-6)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_extremes_of_an_smc_head_are_a_peak_whichever_is_larger(tmp_path, sign):
+    sample = next(one for one in all_samples() if one.name == "smc.smc")
+    largest = 100.0 * sample.acceleration_m_s2.max(), 100.0 * sample.acceleration_m_s2.min()
+    words = [f"{value:>15.7E}".encode() for value in largest]
+    assert all(sample.data.count(word) == 1 for word in words)
+    top, other = sorted(words, key=lambda word: -abs(float(word)))
+    stated = f"{sign * 1.3 * abs(float(top)):>15.7E}".encode()
+    path = put(tmp_path, sample, sample.data.replace(top, stated))
+    assert "the header states" in refusal(path, sample)
+    turned = f"{-float(top):>15.7E}".encode()
+    read(put(tmp_path, sample, sample.data.replace(top, turned)), sample)

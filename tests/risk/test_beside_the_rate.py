@@ -5,8 +5,9 @@ import pandas as pd
 import pytest
 from rocking.risk import rates
 from rocking.risk.collapse import COLUMNS, PARTS, risk_of
-from rocking.risk.fragility import Bootstrap, Fragility
+from rocking.risk.fragility import MIN_DISPERSION, Bootstrap, Fragility, fit
 from rocking.risk.hazard import Hazard, HazardError, read_hazard
+from scipy.special import ndtri
 
 LAW = Hazard("pga_g", np.array([0.1, 0.2, 0.4]), 1e-3 * np.array([0.1, 0.2, 0.4]) ** -2.0)
 SETTINGS = {"confidence": 0.9, "resamples": 200, "seed": 1, "min_stations": 12}
@@ -75,3 +76,26 @@ def test_a_heading_that_is_none_is_said(tmp_path, text, words):
     with pytest.raises(HazardError) as caught:
         read_hazard(path, 0.27)
     assert words in str(caught.value)
+
+
+def test_blank_lines_and_remarks_of_a_hazard_table_do_not_count(tmp_path):
+    path = tmp_path / "hazard.csv"
+    path.write_text("\n# of a site\npga_g,annual_rate\n\n0.1,0.1\n   \n# and on\n0.2,0.05\n")
+    found = read_hazard(path, 0.27)
+    assert found.intensity.tolist() == [0.1, 0.2]
+    assert found.annual_rate.tolist() == [0.1, 0.05]
+
+
+@pytest.mark.parametrize(("below", "above"), [(3.0, 1.0), (1.0, 1.0), (0.5, 4.5)])
+def test_brackets_that_meet_in_a_point_share_it_by_their_weights(below, above):
+    """So much of the weight falls below 0.2: there the narrowest curve has that probability."""
+    found = fit([0.1, 0.2], [0.2, 0.4], [below, above])
+    assert found.dispersion == MIN_DISPERSION
+    share = below / (below + above)
+    assert found.probability(0.2) == pytest.approx(share, abs=1e-9)
+    assert found.median == pytest.approx(0.2 * np.exp(-MIN_DISPERSION * ndtri(share)))
+
+
+def test_brackets_in_a_table_of_several_columns_are_refused():
+    with pytest.raises(ValueError, match="as many lower as upper"):
+        fit(np.full((2, 2), 0.1), np.full((2, 2), 0.2))

@@ -246,3 +246,17 @@ def test_a_run_s_own_pga_is_that_of_its_foot_whichever_way_it_goes(monkeypatch, 
     table = predictions.foot_and_top(specimen, runs, GABLES, False, 1)
     assert table["pga_g"].to_numpy() == pytest.approx(3.0 / 9.80665)
     assert (table["probability"] == 1.0).all()
+
+
+@pytest.mark.parametrize(("third", "holds"), [(0.5, True), (0.7, False)])
+def test_a_comparison_holds_only_where_it_does_in_every_case(third, holds):
+    index = ["A+", "A-", "B+"]
+    first, second = [0.2, 0.3, third], [0.4, 0.5, 0.6]
+    capacity = pd.DataFrame({"W2": first, "W1": second}, index=index)
+    width = bound = pd.DataFrame(0.0, index=index, columns=["W1", "W2"])
+    text, said = claims._compare((capacity, width, bound), "W2", "W1", "<")
+    assert said is holds
+    assert f"as claimed in {2 + holds} of 3" in text
+    assert ("not in B+" in text) is not holds
+    turned, said = claims._compare((capacity, width, bound), "W1", "W2", ">")
+    assert said is holds

@@ -96,3 +96,16 @@ def test_bricks_take_their_own_step_and_scenes_by_hand_the_stated_one():
     steps = [models.numerics({**case, "model": name})["step_fraction"] for name in ("W1", "W3")]
     assert steps == [0.3, 0.1]
     assert models.numerics({**case, "scene": {}})["step_fraction"] == 0.3
+
+
+def test_openings_side_by_side_and_one_above_the_other_keep_apart():
+    """Edges that touch are apart; a centimetre into another, along and up, is not."""
+    first = {"x_m": -0.5, "z_m": 1.0, "width_m": 1.0, "height_m": 1.5}
+    assert shape_of(section(openings=[first])).openings == ((-1.0, 0.0, 1.0, 2.5),)
+    for second in ({"x_m": 0.5}, {"x_m": -1.5}, {"z_m": 2.5}, {"z_m": 2.5, "x_m": 0.3}):
+        shape_of(section(openings=[first, {**first, **second}]))
+        shape_of(section(openings=[{**first, **second}, first]))
+    for second in ({"x_m": 0.49}, {"x_m": -1.49}, {"z_m": 2.49}):
+        for rows in ([first, {**first, **second}], [{**first, **second}, first]):
+            with pytest.raises(ValueError, match="apart from facade.openings"):
+                shape_of({**section(), "openings": rows})
