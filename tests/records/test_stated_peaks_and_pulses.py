@@ -1,9 +1,11 @@
 """Peaks that a file's head states, and the parts of a surrogate with a record's own pulses."""
 
+import re
+
 import numpy as np
 import pytest
 from record_samples import all_samples, put, read, refusal
-from rocking.records import Record
+from rocking.records import Record, read_record
 from rocking.records.pulses import find_pulses, pulse_spec
 from rocking.records.surrogate_model import Pulse
 
@@ -100,3 +102,35 @@ def test_extremes_of_an_smc_head_are_a_peak_whichever_is_larger(tmp_path, sign):
     assert "the header states" in refusal(path, sample)
     turned = f"{-float(top):>15.7E}".encode()
     read(put(tmp_path, sample, sample.data.replace(top, turned)), sample)
+
+
+@pytest.mark.parametrize(
+    ("name", "form", "width", "per_m_s2"),
+    [
+        ("csmip.V2", ">10.3f", 10, 100.0),
+        ("geonet.V1A", ">8.1f", 8, 1000.0),
+        ("cosmos.v2", ">13.6f", 10, 100.0),
+        ("smc.smc", ">15.7E", 10, 100.0),
+    ],
+)
+def test_a_peak_that_does_not_fit_names_the_line_of_the_first_sample(
+    tmp_path, name, form, width, per_m_s2
+):
+    sample = next(one for one in all_samples() if one.name == name)
+    values = sample.acceleration_m_s2 * per_m_s2
+    peak = values[np.abs(values).argmax()]
+    stated, larger = (format(one, form).encode() for one in (peak, 1.5 * peak))
+    assert sample.data.count(stated)
+    said = refusal(put(tmp_path, sample, sample.data.replace(stated, larger, 1)), sample)
+    assert "the header states" in said
+    row = sample.data.decode().splitlines()[int(re.search(r"line (\d+)", said)[1]) - 1]
+    assert float(row[:width]) == pytest.approx(values[0], abs=0.06)
+
+
+def test_commas_between_columns_and_exponents_without_a_point_are_read(tmp_path):
+    """Such as 1e-2: it has no decimal mark, and none is missing."""
+    rows = [f"{k}e-2,{(-1) ** k * k}e-3,{k}e-3" for k in range(1, 40)]
+    path = tmp_path / "own.csv"
+    path.write_text("time_s,NS (g),EW (g)\n" + "\n".join(rows) + "\n")
+    found = read_record(str(path), component="EW (g)")
+    assert found.acceleration_m_s2 == pytest.approx(9.80665e-3 * np.arange(1, 40))

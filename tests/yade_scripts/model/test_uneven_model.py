@@ -7,7 +7,9 @@ from rocking.configuration import config
 from yade_scripts.model import models, part
 from yade_scripts.model.floors import lever_of
 from yade_scripts.model.gravity import GRAVITY_M_S2
+from yade_scripts.model.scene import Block
 from yade_scripts.model.shape import shape_of
+from yade_scripts.model.ties import anchor_ties
 
 PLAIN = {"height_m": 6.0, "thickness_m": 0.5, "width_m": 4.0, "density_kg_m3": 1800.0}
 
@@ -109,3 +111,22 @@ def test_openings_side_by_side_and_one_above_the_other_keep_apart():
         for rows in ([first, {**first, **second}], [{**first, **second}, first]):
             with pytest.raises(ValueError, match="apart from facade.openings"):
                 shape_of({**section(), "openings": rows})
+
+
+def test_anchors_of_a_floor_with_a_mass_are_no_ties_of_their_own():
+    """They join the façade to that mass; without one they hold it to the wall behind, or the base.
+
+    To the base each has a second tie, to the other side.
+    """
+    floor = {"height_m": 3.0, "load_kn": 10.0, "anchor_kn": 5.0, "arm_m": 0.1}
+    (row,) = section(floors=[floor])["floors"]
+    shape = shape_of(section())
+    wall = Block("wall", (0.0, -1.0, 3.0), (1.0, 2.0, 6.0), 1.0, (1.0,) * 3)
+    base = Block("base", (0.0, 0.0, -0.5), (1.0, 1.0, 1.0), 1.0, (1.0,) * 3)
+    blocks = [base, wall, wall]  # of which the second stands for the façade
+    names = [tie.name for tie in anchor_ties([row], [2], blocks, shape)]
+    assert names == ["anchor 1"]
+    names = [tie.name for tie in anchor_ties([row], [], blocks, shape)]
+    assert names == ["anchor 1", "anchor 1 inward"]
+    assert anchor_ties([{**row, "mass_t": 5.0}], [2], blocks, shape) == []
+    assert anchor_ties([{**row, "anchor_kn": 0.0}], [2], blocks, shape) == []
