@@ -140,10 +140,10 @@ def test_a_rotation_is_outward_where_the_top_is():
 @pytest.mark.parametrize("away", [0.3, -0.3])
 def test_a_peak_off_the_branch_leaves_doubt_on_either_side_of_it(away):
     low = hidden.windows(0.2, 0.2 * np.exp(5.5 * hidden.WINDOW))
-    pga_g = np.concatenate([rung(k, 10) for k in range(-1, 6)])
+    pga_g = np.concatenate([rung(k, 200) for k in range(-1, 6)])
     reached = 0.6 + np.zeros(pga_g.size)
     assert not hidden.doubtful(pga_g, reached, low).any()
-    reached[45] += away
+    reached[900] += away
     assert hidden.doubtful(pga_g, reached, low).any()
 
 
