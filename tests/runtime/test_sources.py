@@ -70,20 +70,6 @@ def late(files):
     return out
 
 
-def started():
-    """Yield (name, text) of every rule whose shell command starts YADE."""
-    for path in RULE_FILES:
-        for block in re.split(r"(?m)^(?=(?:use )?rule |def )", path.read_text("utf-8")):
-            if "{params.yade}" in block:
-                yield re.match(r"(?:use )?(?:rule|def) (\w+)", block)[1], block
-
-
-@pytest.mark.parametrize(("name", "block"), list(started()))
-def test_every_rule_depends_on_the_command_it_starts(name, block):
-    command = re.search(r"{params\.yade} ([a-z_0-9]+)", block)[1]
-    assert f'modules=command_code("{command}")' in block
-
-
 @pytest.mark.slow
 def test_every_rule_depends_on_the_script_it_runs(tmp_path):
     """The input `modules` stands for the script and the module it calls; there is a log."""

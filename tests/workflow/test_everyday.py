@@ -245,7 +245,10 @@ def test_the_wrong_python_is_named_in_one_line(tmp_path):
 def test_targets_in_commands_of_the_pages_stand_behind_two_dashes():
     """What follows --config or --configfile would be taken for their value."""
     pages = ["README.md", "CONTRIBUTING.md", "config/README.md", *ROOT.glob("docs/**/*.md")]
-    pages += [*ROOT.glob("config/scenarios/*.yaml"), *ROOT.glob("workflow/rules/**/*.smk")]
+    pages += [*ROOT.glob("config/scenarios/*.yaml"), *ROOT.glob("workflow/rules/*.smk")]
+    pages += [
+        p for kind in ("md", "smk", "yaml") for p in ROOT.glob(f"workflow/studies/*/*.{kind}")
+    ]
     for page in pages:
         text = (ROOT / page).read_text("utf-8").replace("\\\n", " ")
         for line in text.splitlines():

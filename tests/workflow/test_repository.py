@@ -79,11 +79,3 @@ def test_results_are_not_committed():
     except (OSError, subprocess.CalledProcessError):
         pytest.skip("not a git clone")
     assert set(done.stdout.split()) <= {"results/README.md"}
-
-
-def test_no_script_takes_all_inputs_for_data():
-    """Beside its data every rule has its code (`modules`) among its inputs."""
-    scripts = (ROOT / "workflow/scripts").glob("*/*.py")
-    whole = r"(\bin |\*|, |list\(|sorted\()job\.input[:)\]]"
-    found = [s.name for s in scripts if re.search(whole, s.read_text("utf-8"))]
-    assert not found

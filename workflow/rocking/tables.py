@@ -11,7 +11,15 @@ from yade_scripts.files import read_json, write_json
 # what a spreadsheet takes for a formula: text that begins so, and is more than a name or a number
 _FORMULA = re.compile(r"\s*([=@].*|[+-](?![\w.+-]*\Z).*)", re.DOTALL)
 
-__all__ = ["headed", "read_frame", "read_json", "read_tables", "together", "write_json", "write_table"]
+__all__ = [
+    "headed",
+    "read_frame",
+    "read_json",
+    "read_tables",
+    "together",
+    "write_json",
+    "write_table",
+]
 
 # Columns of names, which users choose: 1063, 0012, 1E03, NA and True are names as any other.
 NAMES = ("record", "station", "event", "run", "part", "name", "variant", "case", "file", "first")

@@ -2,10 +2,10 @@
 
     python tests/trials/mutations/run.py [--only WORD] [--change WORD] [--output changes.csv]
 
-Each change of `table.yaml` is made in a copy of the tracked files, never in the checkout, and the
-tests named beside it, or beside its group, run there until the first failure. A change that they
-do not notice survives: it is listed, and the exit status is 1 where the table gives no reason why
-it is left. The tests must pass in the unchanged copy first.
+Each change of the tables here (`table.yaml` and those beside it) is made in a copy of the tracked
+files, never in the checkout, and the tests named beside it, or beside its group, run there until
+the first failure. A change that they do not notice survives: it is listed, and the exit status is 1
+where the table gives no reason why it is left. The tests must pass in the unchanged copy first.
 """
 
 import argparse
@@ -32,6 +32,7 @@ import yaml
 from numba.core import caching
 
 ROOT = Path(__file__).parents[3]
+TABLES = sorted(Path(__file__).parent.glob("*.yaml"))
 LIMIT_S = 900.0  # of one run of tests; a change that makes them hang is noticed
 COLUMNS = ("group", "file", "old", "new", "noticed", "left", "cpu_s")
 
@@ -46,6 +47,17 @@ def copy_of_checkout(folder):
             target = folder / name
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(ROOT / name, target)
+
+
+def whole_table():
+    """Groups of all tables; two of one name are an error."""
+    found: dict = {}
+    for path in TABLES:
+        for name, entry in yaml.safe_load(path.read_text(encoding="utf-8")).items():
+            if name in found:
+                raise SystemExit(f"error: {path.name}: group '{name}' stands in another table too")
+            found[name] = entry
+    return found
 
 
 def replaced(text, old, new, at=None):
@@ -134,7 +146,7 @@ def main(arguments=None):
     parser.add_argument("--change", default="", help="changes whose new text contains this")
     parser.add_argument("--output", help="CSV of every change and whether it was noticed")
     options = parser.parse_args(arguments)
-    table = yaml.safe_load((Path(__file__).parent / "table.yaml").read_text(encoding="utf-8"))
+    table = whole_table()
     count = left = survived = 0
     with tempfile.TemporaryDirectory() as name, open(options.output or os.devnull, "w") as handle:
         folder, writer = Path(name), csv.writer(handle, lineterminator="\n")

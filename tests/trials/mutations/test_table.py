@@ -3,12 +3,11 @@
 from pathlib import Path
 
 import pytest
-import yaml
 
-from mutations.run import replaced
+from mutations.run import replaced, whole_table
 
 ROOT = Path(__file__).parents[3]
-TABLE = yaml.safe_load((Path(__file__).parent / "table.yaml").read_text(encoding="utf-8"))
+TABLE = whole_table()
 
 
 def test_every_change_can_be_made():

@@ -1,0 +1,182 @@
+"""What no source of the project may do, read off its syntax: code from text, objects, sockets.
+
+Names are followed through imports and their aliases, so that `from pickle import loads` and
+`p = eval` are found as well as a plain call.
+"""
+
+import ast
+import io
+import re
+import tokenize
+
+MODULES = {  # that make objects of bytes, open connections, or run other files
+    *("pickle", "_pickle", "cPickle", "cloudpickle", "dill", "joblib", "marshal", "shelve"),
+    *("socket", "socketserver", "http", "urllib.request", "requests", "xmlrpc", "ftplib"),
+    *("smtplib", "telnetlib", "asyncio", "aiohttp", "httpx", "webbrowser"),
+    *("runpy", "code", "codeop", "imp", "pty", "snakemake.shell"),
+}
+NAMES = {  # also where they are not called: `run = eval`
+    *("eval", "exec", "compile", "__import__"),
+    *(f"builtins.{name}" for name in ("eval", "exec", "compile", "__import__")),
+    *("os.system", "os.popen", "os.fork", "os.posix_spawn", "os.posix_spawnp"),
+    *("subprocess.getoutput", "subprocess.getstatusoutput"),
+    *("yaml.unsafe_load", "yaml.full_load", "yaml.unsafe_load_all", "yaml.full_load_all"),
+    *("yaml.UnsafeLoader", "yaml.FullLoader", "yaml.Loader", "yaml.CLoader"),
+    *("yaml.load", "yaml.load_all", "pandas.read_pickle", "shell"),
+}
+STARTS = ("os.exec", "os.spawn")  # os.execv, os.spawnl, …
+OFF = ("shell", "allow_pickle")  # keywords that stay False
+IMPORT = "importlib.import_module"  # of a text that begins as the project's modules do
+OWN = ("rocking.", "smdof.", "studies.", "yade_scripts.")
+LOOKED_INTO = ("os", "sys", "builtins", "subprocess", "importlib", "yaml")  # not by a text
+
+
+def faults(text, allowed=frozenset()):
+    """What a Python source does that none may, as sorted texts; `allowed` modules and names.
+
+    A loader of YAML that is made here is judged by what it is made of.
+    """
+    tree = ast.parse(text)
+    found, known = set(), {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                found |= _module(alias.name)
+                known[alias.asname or alias.name.partition(".")[0]] = (
+                    alias.name if alias.asname else alias.name.partition(".")[0]
+                )
+        elif isinstance(node, ast.ImportFrom) and not node.level:
+            for alias in node.names:
+                whole = f"{node.module}.{alias.name}"
+                found |= _module(whole) | _name(whole)
+                known[alias.asname or alias.name] = whole
+    roots = {name.partition(".")[0] for name in known.values()}
+    called = {id(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Load):
+            name = _dotted(node, known)
+            found |= _name(name) if name.partition(".")[0] in roots else {name} & NAMES
+            found |= {IMPORT} if name == IMPORT and id(node) not in called else set()
+        if isinstance(node, ast.Call):
+            found |= _call(node, known)
+    return sorted(found - allowed)
+
+
+def _module(name):
+    return {one for one in MODULES if name == one or name.startswith(f"{one}.")}
+
+
+def _name(name):
+    return {name} if name in NAMES or name.startswith(STARTS) else _module(name)
+
+
+def _dotted(node, known):
+    """Name of what an expression stands for, as far as imports tell; "" where they do not."""
+    if isinstance(node, ast.Name):
+        return known.get(node.id, node.id)
+    if isinstance(node, ast.Attribute):
+        return f"{base}.{node.attr}" if (base := _dotted(node.value, known)) else ""
+    return ""
+
+
+def _call(node, known):
+    found = set()
+    for keyword in node.keywords:
+        said = ast.unparse(keyword.value)
+        if keyword.arg in OFF and said != "False":
+            found.add(f"{keyword.arg}={said}")
+    name = _dotted(node.func, known)
+    if not node.args:
+        return found
+    first = node.args[0]
+    if name in ("getattr", "vars") and (what := _dotted(first, known)) in LOOKED_INTO:
+        found.add(f"{name}({what})")
+    if name == IMPORT:
+        first = first.values[0] if isinstance(first, ast.JoinedStr) else first
+        named = first.value if isinstance(first, ast.Constant) else ""
+        if not named.startswith(OWN):
+            found.add(IMPORT)
+    return found
+
+
+def commands(text):
+    """Shell commands of rules: the text of each, or None of one that is not written out.
+
+    After `shell:`, on its line or below it at any depth, or in a call of `shell`. Constants are
+    those of the same file.
+    """
+    skipped = (tokenize.COMMENT, tokenize.NL)
+    every = tokenize.generate_tokens(io.StringIO(text).readline)
+    tokens = [token for token in every if token.type not in skipped]
+    constants = _constants(text)
+    found = []
+    for k, token in enumerate(tokens[:-1]):
+        if token.string != "shell" or token.type != tokenize.NAME or tokens[k - 1].string == ".":
+            continue
+        if tokens[k + 1].string == ":":
+            found.append(_written(_block(tokens, k + 2), constants))
+        elif tokens[k + 1].string == "(":
+            found.append(_written(_brackets(tokens, k + 2), constants))
+        else:  # handed on under another name
+            found.append(None)
+    return found
+
+
+def _constants(text):
+    """Texts that a file gives a name at its left edge, by name."""
+    found = {}
+    for name, value in re.findall(r"(?ms)^([A-Z_]\w*) = (.+?)\n(?=[^\s)]|\s*\Z)", text):
+        try:
+            value = ast.literal_eval(value)
+        except (ValueError, SyntaxError):
+            continue
+        if isinstance(value, str):
+            found[name] = value
+    return found
+
+
+def _block(tokens, k):
+    """Tokens of a directive: of its line, or of the block below it."""
+    found, depth = [], 0
+    if tokens[k].type != tokenize.NEWLINE:
+        while tokens[k].type != tokenize.NEWLINE:
+            found.append(tokens[k])
+            k += 1
+        return found
+    for token in tokens[k + 1 :]:
+        depth += (token.type == tokenize.INDENT) - (token.type == tokenize.DEDENT)
+        if not depth:
+            return found
+        found.append(token)
+    return found
+
+
+def _brackets(tokens, k):
+    found, depth = [], 1
+    for token in tokens[k:]:
+        depth += (token.string in ("(", "[")) - (token.string in (")", "]"))
+        if not depth:
+            return found
+        found.append(token)
+    return found
+
+
+def _written(tokens, constants):
+    """The text of strings and constants one after another; None where there is anything else."""
+    out = []
+    for token in tokens:
+        if token.type in (tokenize.NEWLINE, tokenize.INDENT):
+            continue
+        if token.type == tokenize.STRING and not re.match(r"\w*[fF]", token.string):
+            out.append(ast.literal_eval(token.string))
+        elif token.type == tokenize.NAME and token.string in constants:
+            out.append(constants[token.string])
+        else:
+            return None
+    return "".join(out)
+
+
+def unquoted(command):
+    """Fields of a command that the shell would split or read: those without `:q`."""
+    fields = re.findall(r"(?<!\{)(?:\{\{)*\{([^{}]+)\}", command)
+    return [field for field in fields if not field.endswith(":q")]

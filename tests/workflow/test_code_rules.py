@@ -1,0 +1,168 @@
+"""No source runs text or loads objects, every value in a shell command is quoted; and traps."""
+
+import re
+from pathlib import Path
+
+import pytest
+from code_rules import commands, faults, unquoted
+
+ROOT = Path(__file__).resolve().parents[2]
+SOURCES = sorted(
+    path
+    for top in ("smdof", "yade_scripts", "workflow")
+    for path in (ROOT / top).rglob("*.py")
+    if "__pycache__" not in path.parts
+)
+RULES = [ROOT / "Snakefile", ROOT / "workflow/Snakefile"]
+RULES += sorted([*ROOT.glob("workflow/rules/*.smk"), *ROOT.glob("workflow/studies/*/rules.smk")])
+ALLOWED = {
+    "workflow/rocking/runtime/run_lock.py": {"socket"},  # asks for the machine's name
+    "workflow/rocking/runtime/warm.py": {"runpy"},  # a script of the project, of a rule
+    "workflow/rocking/configuration/files.py": {"yaml.load"},  # by a loader made of the safe one
+    "workflow/rocking/configuration/schema.py": {
+        "yaml.load",
+        "getattr(yaml)",
+    },  # libyaml's safe one
+    "workflow/rocking/compile_ahead.py": {"importlib.import_module"},  # of a list of its own
+    "yade_scripts/engine/memory.py": {"os.execv"},  # itself, with more memory
+    "yade_scripts/commands/view.py": {"os.execv"},  # YADE's own program
+}
+# placeholders in shell commands that need no quoting: each is limited to harmless words elsewhere
+UNQUOTED = {
+    "params.plan": "empty, or an option quoted where it is made",
+    "params.yade": "a constant of the rules, quoted where it is made",
+    "params.ensemble": "a constant of the rules",
+    "wildcards.direction": "pos|neg",
+    "params.gravity": "a number of the rule itself",
+    "params.steps": "an integer by its schema",
+    "params.how": "directions and numbers by their schemas, made into options there",
+}
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=lambda path: str(path.relative_to(ROOT)))
+def test_no_source_runs_text_or_loads_objects(path):
+    text = path.read_text("utf-8")
+    allowed = ALLOWED.get(str(path.relative_to(ROOT)), set())
+    assert allowed <= set(faults(text))  # and none for nothing
+    assert faults(text, allowed) == []
+    for loader in re.findall(r"yaml\.load\(.+?,\s*(?:Loader=)?(\w+)\)", text):
+        made_of = rf"class {loader}\(yaml\.SafeLoader\)|{loader} = getattr\(yaml, \"CSafeLoader\""
+        assert re.search(made_of, text), f"{loader}: expected a safe loader"
+    assert text.count("yaml.load(") == len(
+        re.findall(r"yaml\.load\(.+?,\s*(?:Loader=)?\w+\)", text)
+    )
+
+
+def test_rules_run_no_text_either():
+    """What stands in them beside Python's own syntax is cut away by looking at words alone."""
+    for path in RULES:
+        text = re.sub(r"(?m)#.*$", "", path.read_text("utf-8"))
+        bare = re.sub(r'"(?:[^"\\\n]|\\.)*"', '""', re.sub(r'(?s)""".*?"""', '""', text))
+        words = (
+            r"(?<![\w.])(eval|exec|__import__|compile)\(|\b(os\.system|os\.popen|pickle|marshal)\b"
+        )
+        assert not re.search(words, bare), f"{path.name}: {re.search(words, bare)}"
+
+
+TRAPS = {
+    "from pickle import loads": "pickle",
+    "import pickle as p": "pickle",
+    "import urllib.request": "urllib.request",
+    "from urllib import request": "urllib.request",
+    "import http.server": "http",
+    "from os import system as run": "os.system",
+    "import os\nrun = os.system": "os.system",
+    "import os as o\no.popen('ls')": "os.popen",
+    "import os\nos.execv('a', [])": "os.execv",
+    "run = eval": "eval",
+    "import builtins\nbuiltins.exec('1')": "builtins.exec",
+    "__import__('pickle')": "__import__",
+    "from importlib import import_module as load\nload('pickle')": "importlib.import_module",
+    "import importlib as i\ni.import_module(f'{name}.rocking')": "importlib.import_module",
+    "from importlib import import_module as load\nread = load": "importlib.import_module",
+    "import os\ngetattr(os, 'sys' + 'tem')('ls')": "getattr(os)",
+    "import subprocess\nsubprocess.run('ls', shell=True)": "shell=True",
+    "import subprocess\nsubprocess.run('ls', shell=given)": "shell=given",
+    "from subprocess import getoutput": "subprocess.getoutput",
+    "import numpy as np\nnp.load('a', allow_pickle=True)": "allow_pickle=True",
+    "import pandas as pd\npd.read_pickle('a')": "pandas.read_pickle",
+    "import yaml\nyaml.load('a', yaml.Loader)": "yaml.Loader",
+    "from yaml import load": "yaml.load",
+    "from yaml import UnsafeLoader as SafeLoader": "yaml.UnsafeLoader",
+    "import yaml\nyaml.full_load('a')": "yaml.full_load",
+    "from snakemake.shell import shell": "snakemake.shell",
+    "def f():\n    def g():\n        import marshal": "marshal",
+}
+
+
+@pytest.mark.parametrize("text", TRAPS)
+def test_the_check_of_sources_finds(text):
+    assert TRAPS[text] in faults(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "import re\nre.compile('a')",
+        "import subprocess\nsubprocess.run(['ls'], shell=False)",
+        "import yaml\nyaml.safe_load('a')",
+        "import numpy as np\nnp.load('a', allow_pickle=False)",
+        "class A:\n    def system(self): self.system()",
+        "import urllib.parse",
+        "from importlib import import_module\nimport_module(f'rocking.studies.{name}')",
+        "code = 1\nprint(code)",
+    ],
+)
+def test_the_check_of_sources_leaves(text):
+    assert faults(text) == []
+
+
+def test_every_value_in_a_shell_command_is_quoted():
+    seen = []
+    for path in RULES:
+        for command in commands(path.read_text("utf-8")):
+            assert command is not None, f"{path.name}: expected a shell command in plain text"
+            seen.append(command)
+            assert set(unquoted(command)) <= set(UNQUOTED), f"{path.name}: {command}"
+    words = sum(len(re.findall(r"(?m)^ +shell:", path.read_text("utf-8"))) for path in RULES)
+    assert len(seen) == words > 15
+    assert {field for command in seen for field in unquoted(command)} == set(UNQUOTED)
+
+
+RULE = "rule a:\n    input:\n        'b',\n"
+UNSAFE = {
+    "below": RULE + '    shell:\n        "rm {input}"\n',
+    "on the line": RULE + '    shell: "rm {input}"\n',
+    "single quotes": RULE + "    shell:\n        'rm {input}'\n",
+    "three quotes": RULE + '    shell:\n        """\n        rm {input}\n        """\n',
+    "second line": RULE + '    shell:\n        "rm {input:q}"\n        " {output}"\n',
+    "a constant": f'REMOVE = "rm {{input}}"\n\n\n{RULE}    shell:\n        REMOVE\n',
+    "a constant in brackets": 'REMOVE = (\n    "rm"\n    " {input}"\n)\n\n\n'
+    + f"{RULE}    shell: REMOVE\n",
+    "deeper": 'if True:\n\n    rule a:\n        shell:\n            "rm {input}"\n',
+    "called": "rule a:\n    run:\n        shell('rm {input}')\n",
+    "an item": RULE + '    shell:\n        "rm {input[0]}"\n',
+    "after a literal brace": RULE + "    shell:\n        \"awk '{{print}}' {input}\"\n",
+    "a wildcard": RULE + '    shell:\n        "rm {wildcards.run}"\n',
+}
+NOT_WRITTEN = {
+    "a formatted text": RULE + '    shell:\n        f"rm {x}"\n',
+    "a sum": RULE + '    shell:\n        "rm " + name\n',
+    "a name from elsewhere": RULE + "    shell:\n        COPY\n",
+    "a function": RULE + "    shell:\n        command()\n",
+    "handed on": "run = shell\n",
+}
+
+
+@pytest.mark.parametrize("name", UNSAFE)
+def test_the_check_of_commands_finds_a_value_without_quotes(name):
+    (command,) = commands(UNSAFE[name])
+    assert unquoted(command)
+    safe = re.sub(r"\{([a-z][^{}]*?)(:q)?\}", r"{\1:q}", UNSAFE[name])
+    (quoted,) = commands(safe)
+    assert unquoted(quoted) == []
+
+
+@pytest.mark.parametrize("name", NOT_WRITTEN)
+def test_the_check_of_commands_wants_them_in_plain_text(name):
+    assert commands(NOT_WRITTEN[name]) == [None]
