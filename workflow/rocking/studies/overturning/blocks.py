@@ -7,6 +7,7 @@ where the corners are, and no value of it is stated.
 """
 
 import math
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -16,6 +17,7 @@ from rocking.studies.overturning.geometry import STEEPEST_RAD, barrier
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 from yade_scripts.model.scene import DOFS, Block, NodeList, Scene
+from yade_scripts.model.stiffness import critical_step
 
 BLOCK, TABLE = "block", "table"
 ARM_M = 10.0  # above the centre of mass: what is watched there moves by tilt and hardly by sliding
@@ -27,7 +29,7 @@ NUMERICS = {
     "rest_time_s": 0.5,
     "max_speed_ratio": 1e4,
 }
-STEP_FRACTION = 0.2  # of the stable step
+AT_ONCE = 6  # corners that touch at a time, of those in space
 
 
 class Standing(NamedTuple):
@@ -145,3 +147,13 @@ def settled(standing):
 def beta(mass_kg, contact_n_m, damping):
     """β [s] of a corner whose dashpot is a share of critical under the whole mass, 2ζ√(m/kn)."""
     return 2.0 * damping * math.sqrt(mass_kg / contact_n_m)
+
+
+def with_step(made):
+    """The scene with its critical step noted: of its lowest corners, for no others touch at once.
+
+    Of all of them at once, which no pose closes, it would be a tenth of that.
+    """
+    lowest = np.argsort(made.nodes.position_m[:, 2], kind="stable")[:AT_ONCE]
+    few = replace(made, nodes=made.nodes.select(np.sort(lowest)))
+    return replace(made, notes={**made.notes, "critical_step_s": critical_step(few)})

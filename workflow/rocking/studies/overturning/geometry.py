@@ -150,3 +150,26 @@ def barrier(chain, side):
     height = (chain @ down.T).max(axis=0)
     top = int(np.argmax(height))
     return float(height[top] - height[0]), float(tilt[top])
+
+
+def corners(points_m, steepest_rad=math.radians(45.0), within_m=3e-4):
+    """Corners of the hull that a block stands or rolls on, (n, 3): enough of them, not all.
+
+    What a block rests on at a tilt n is the corner that is farthest along it. Corners are added,
+    those first whose lack is felt most, until in 1,200 directions up to `steepest_rad` none that is
+    missing stands out by more than `within_m`.
+    """
+    every = points_m[ConvexHull(points_m).vertices]
+    tilt = steepest_rad * np.sqrt((np.arange(1200) + 0.5) / 1200)
+    around = np.pi * (3.0 - math.sqrt(5.0)) * np.arange(1200)
+    down = [np.sin(tilt) * np.cos(around), np.sin(tilt) * np.sin(around), -np.cos(tilt)]
+    reach = every @ np.array(down)
+    farthest = reach.max(axis=0)
+    lowest = np.flatnonzero(every[:, 2] < every[:, 2].min() + 1e-6)
+    chosen = list(lowest)
+    while True:
+        lack = farthest - reach[chosen].max(axis=0)
+        worst = int(np.argmax(lack))
+        if lack[worst] <= within_m:
+            return every[chosen]
+        chosen.append(int(np.argmax(reach[:, worst])))

@@ -1,0 +1,48 @@
+"""Predict or score from the command line.
+
+python -m rocking.studies.overturning run FOLDER --data FOLDER [--model geometry]
+python -m rocking.studies.overturning score FOLDER --data FOLDER_OR_TESTS.CSV
+"""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+from rocking.configuration.config import ConfigError
+from rocking.studies.overturning import predict
+from rocking.studies.overturning.score import score
+
+
+def main(words=None):
+    """Run or score; return the exit code."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("what", choices=["run", "score"])
+    parser.add_argument("folder", help="of the prediction")
+    parser.add_argument(
+        "--data", required=True, help="folder of the tests, or for a score tests.csv"
+    )
+    parser.add_argument("--model", choices=predict.MODELS, help="default: every one")
+    cores = len(os.sched_getaffinity(0))
+    parser.add_argument("--cores", type=int, default=cores, help="processes (default: every core)")
+    given = parser.parse_args(words)
+    models = [given.model] if given.model else predict.MODELS
+    try:
+        if not Path(given.folder).is_dir():
+            raise ConfigError(f"{given.folder}: no folder of a prediction")
+        if given.what == "run":
+            for model in models:
+                found = predict.run(given.folder, given.data, model, max(1, given.cores))
+                mean = found.groupby("specimen")["probability_of_fall"].mean().round(3)
+                sys.stdout.write(f"{model}: mean probability of a fall {mean.to_dict()}\n")
+        else:
+            for part in score(given.folder, given.data, models):
+                sys.stdout.write(part.round(3).to_string(index=False) + "\n\n")
+    except (ConfigError, OSError, ValueError) as error:
+        sys.stderr.write(f"overturning: {error}\n")
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
