@@ -62,7 +62,8 @@ class Tilt:
         self.twist_rad = max(self.twist_rad, abs(math.atan2(turned[3], turned[0])))
         if tilt < 0.5 * self.fallen_rad:
             place = self._place()
-            self.slid_m = max(self.slid_m, math.hypot(*(a - b for a, b in zip(place, self.start))))
+            slid = math.dist(place, self.start)
+            self.slid_m = max(self.slid_m, slid)
 
 
 def shaken(entry):

@@ -63,7 +63,8 @@ def draw(stated, solid, mass_kg, weakest_rad, number, specimen):
     c, s = math.cos(direction), math.sin(direction)
     turn = np.array([[s, -c, 0.0], [c, s, 0.0], [0.0, 0.0, 1.0]])  # the direction becomes y
     points, inertia = points @ turn.T, turn @ solid.inertia_m2 @ turn.T
-    scale = stated.get("width", 1.0)
+    about = stated.get("width", {"factor": 1.0, "log_deviation": 0.0})
+    scale = about["factor"] * math.exp(about["log_deviation"] * rng.normal())
     chain = geometry.profile(points, 0.5 * math.pi) * np.array([scale, 1.0])
     standing = blocks.Standing(
         chain,

@@ -12,6 +12,7 @@ from scipy.spatial import ConvexHull, HalfspaceIntersection
 WAVES = 200  # of a random field
 DOWN = np.array([0.0, 0.0, -1.0])
 STEEPEST_RAD = math.radians(65.0)  # what touches only beyond this tilt is left out
+ROLLED_RAD = math.radians(45.0)  # the same in space
 FLAT_M = 2e-4  # corners that stand out from the line of their neighbours by less are left out
 
 
@@ -152,15 +153,15 @@ def barrier(chain, side):
     return float(height[top] - height[0]), float(tilt[top])
 
 
-def corners(points_m, steepest_rad=math.radians(45.0), within_m=3e-4):
+def corners(points_m, within_m=3e-4):
     """Corners of the hull that a block stands or rolls on, (n, 3): enough of them, not all.
 
     What a block rests on at a tilt n is the corner that is farthest along it. Corners are added,
-    those first whose lack is felt most, until in 1,200 directions up to `steepest_rad` none that is
+    those first whose lack is felt most, until in 1,200 directions up to `ROLLED_RAD` none that is
     missing stands out by more than `within_m`.
     """
     every = points_m[ConvexHull(points_m).vertices]
-    tilt = steepest_rad * np.sqrt((np.arange(1200) + 0.5) / 1200)
+    tilt = ROLLED_RAD * np.sqrt((np.arange(1200) + 0.5) / 1200)
     around = np.pi * (3.0 - math.sqrt(5.0)) * np.arange(1200)
     down = [np.sin(tilt) * np.cos(around), np.sin(tilt) * np.sin(around), -np.cos(tilt)]
     reach = every @ np.array(down)

@@ -30,7 +30,7 @@ def known(tests, specimen):
 
 
 def unchanged(folder, model):
-    """ConfigError of one line where what a model stated or predicted is not what the digest says."""
+    """ConfigError of one line where what a model stated or predicted is not what was digested."""
     folder, said = Path(folder), digests(folder).get(model)
     if said is None:
         raise ConfigError(f"{folder}/digest.txt: no line of {model}: expected its prediction")
