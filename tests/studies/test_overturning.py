@@ -171,7 +171,8 @@ def test_what_is_committed_is_what_its_digest_says(model):
     assert said["stated"] == predict.digest(FOLDER / f"{model}.yaml")
     assert said["predicted"] == predict.digest(FOLDER / f"{model}.csv")
     rows = pd.read_csv(FOLDER / f"{model}.csv")
-    assert len(rows) == 980 and not rows.duplicated(["test", "specimen"]).any()
+    assert len(rows) == 980
+    assert not rows.duplicated(["test", "specimen"]).any()
     assert rows["probability_of_fall"].to_numpy() == pytest.approx(
         rows["fell"] / rows["members"], abs=1e-5
     )
