@@ -2,6 +2,7 @@
 
 python -m rocking.studies.overturning run FOLDER --data FOLDER [--model geometry]
 python -m rocking.studies.overturning score FOLDER --data FOLDER_OR_TESTS.CSV
+python -m rocking.studies.overturning solvers FOLDER --data FOLDER
 """
 
 import argparse
@@ -10,14 +11,14 @@ import sys
 from pathlib import Path
 
 from rocking.configuration.config import ConfigError
-from rocking.studies.overturning import predict
+from rocking.studies.overturning import predict, solvers
 from rocking.studies.overturning.score import score
 
 
 def main(words=None):
     """Run or score; return the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("what", choices=["run", "score"])
+    parser.add_argument("what", choices=["run", "score", "solvers"])
     parser.add_argument("folder", help="of the prediction")
     parser.add_argument(
         "--data", required=True, help="folder of the tests, or for a score tests.csv"
@@ -35,6 +36,8 @@ def main(words=None):
                 found = predict.run(given.folder, given.data, model, max(1, given.cores))
                 mean = found.groupby("specimen")["probability_of_fall"].mean().round(3)
                 sys.stdout.write(f"{model}: mean probability of a fall {mean.to_dict()}\n")
+        elif given.what == "solvers":
+            sys.stdout.write(solvers.run(given.folder, given.data).to_string() + "\n")
         else:
             for part in score(given.folder, given.data, models):
                 sys.stdout.write(part.round(3).to_string(index=False) + "\n\n")
