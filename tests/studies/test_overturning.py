@@ -11,7 +11,17 @@ import yaml
 from rocking.configuration.config import ConfigError
 from rocking.mechanics.closed_forms import restitution_housner
 from rocking.solver import Motions, history, peaks, stable_step, to_plane
-from rocking.studies.overturning import blocks, draws, geometry, others, predict, table
+from rocking.studies import shaken_buildings
+from rocking.studies.overturning import (
+    blocks,
+    draws,
+    geometry,
+    lessons,
+    others,
+    predict,
+    rectangles,
+    table,
+)
 from rocking.studies.overturning.__main__ import main
 from rocking.studies.overturning.score import calibration, interval, measures, score
 
@@ -230,3 +240,61 @@ def test_a_draw_is_the_same_for_the_same_number():
     one, same, other = (draws.draw(stated, solid, 100.0, 0.0, k, 1) for k in (3, 3, 4))
     assert np.array_equal(one.standing.corners_m, same.standing.corners_m)
     assert one.standing.friction_rad != other.standing.friction_rad
+
+
+@pytest.fixture
+def waiting(tmp_path):
+    """The folder that waits for rectangular blocks, with two tests under a pulse filled in."""
+    shutil.copytree(FOLDER.parent / "rocking_blocks", tmp_path / "mine")
+    time = np.arange(0.0, 2.0, 0.005)
+    pulse = np.where(time < 0.4, 4.0 * np.sin(math.pi * time / 0.4), 0.0)
+    np.savetxt(tmp_path / "m.csv", np.column_stack([time, pulse]), delimiter=",")
+    with open(tmp_path / "mine" / "tests.csv", "a") as file:
+        file.write("1,0.17,0.98,200,m.csv,1.0,fell\n2,0.17,0.98,200,m.csv,0.3,stood\n")
+    return tmp_path
+
+
+def test_a_folder_that_was_filled_in_is_predicted_and_scored(waiting):
+    """Uplift takes g b/h = 1.7 m/s²: 1.2 m/s² lifts nothing."""
+    found, scores = rectangles.run(waiting / "mine", waiting)
+    assert found["probability_of_fall"].tolist() == [1.0, 0.0]
+    assert scores["brier"] == 0.0
+
+
+def test_a_folder_that_waits_says_so(capsys):
+    for folder in ("rocking_blocks", "shaken_buildings"):
+        where = str(FOLDER.parent / folder)
+        call = shaken_buildings.main if folder == "shaken_buildings" else main
+        assert call([where] if call is not main else ["blocks", where, "--data", "."]) == 1
+        assert "nobody has filled it in yet" in capsys.readouterr().err
+
+
+def test_buildings_are_predicted_by_the_formula(tmp_path):
+    shutil.copytree(FOLDER.parent / "shaken_buildings", tmp_path / "mine")
+    path = tmp_path / "mine" / "facades.csv"
+    rows = "b,1,W2m,6.5,0.4,0.27,64000,0.1,0\nb,2,W2m,6.5,0.4,0.27,64000,2.0,5\n"
+    path.write_text(path.read_text() + rows)
+    found = shaken_buildings.predict(shaken_buildings.read(tmp_path / "mine"))
+    assert found["probability_of_fall"].iloc[0] < 0.05
+    assert found["probability_of_fall"].iloc[1] > 0.95
+    assert shaken_buildings.score(found)["correct"] == 1.0
+    path.write_text(path.read_text() + "b,3,W2m,6.5,0.4,0.27,64000,0.1,7\n")
+    with pytest.raises(ConfigError, match="row 3: grade = 7"):
+        shaken_buildings.read(tmp_path / "mine")
+
+
+def test_a_measure_that_parts_all_tests_foretells_left_out_motions():
+    rng = np.random.default_rng(3)
+    x = rng.normal(size=200)
+    y = (x + 0.3 * rng.normal(size=200) > 0.5).astype(float)
+    p = lessons.left_out(x, y, np.arange(200) // 10)
+    assert np.mean((p > 0.5) == (y > 0)) > 0.85
+    c0, c1 = lessons.logistic(x, y)
+    assert -c0 / c1 == pytest.approx(0.5, abs=0.15)
+
+
+def test_pseudo_velocity_of_a_resonant_motion():
+    """A long harmonic motion of the oscillator's own period moves it by a/(2 ζ ω²)."""
+    omega = 2.0 * math.pi / 0.5
+    a = np.sin(omega * np.arange(0.0, 30.0, table.STEP_S))
+    assert lessons._pseudo_velocity(a, table.STEP_S, 0.5) == pytest.approx(10.0 / omega, rel=0.02)

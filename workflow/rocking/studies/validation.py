@@ -2,7 +2,7 @@
 
 An experiment is a folder of three files: `specimen.yaml` (the wall; `specimens` says how its
 parameters follow), `runs.csv` (what it went through, in order) and `measured.csv`. Another model of
-the same test states `like: folder` and what it changes. docs/studies/validation.md has what stands
+the same test states `like: folder` and what it changes. docs/evidence.md has what stands
 in them.
 """
 

@@ -3,6 +3,8 @@
 python -m rocking.studies.overturning run FOLDER --data FOLDER [--model geometry]
 python -m rocking.studies.overturning score FOLDER --data FOLDER_OR_TESTS.CSV
 python -m rocking.studies.overturning solvers FOLDER --data FOLDER
+python -m rocking.studies.overturning lessons FOLDER --data FOLDER
+python -m rocking.studies.overturning blocks FOLDER --data FOLDER
 """
 
 import argparse
@@ -10,15 +12,59 @@ import os
 import sys
 from pathlib import Path
 
+import pandas as pd
+
 from rocking.configuration.config import ConfigError
-from rocking.studies.overturning import predict, solvers
+from rocking.studies.overturning import lessons, predict, rectangles, solvers
 from rocking.studies.overturning.score import score
+
+
+def _run(given, models):
+    for model in models:
+        found = predict.run(given.folder, given.data, model, max(1, given.cores))
+        mean = found.groupby("specimen")["probability_of_fall"].mean().round(3)
+        sys.stdout.write(f"{model}: mean probability of a fall {mean.to_dict()}\n")
+
+
+def _score(given, models):
+    for part in score(given.folder, given.data, models):
+        _show(part)
+
+
+def _solvers(given, _):
+    sys.stdout.write(solvers.run(given.folder, given.data).to_string() + "\n")
+
+
+def _lessons(given, models):
+    _show(lessons.by_measure(given.data))
+    for model in models:
+        _show(lessons.errors(given.folder, given.data, model))
+
+
+def _blocks(given, _):
+    found, scores = rectangles.run(given.folder, given.data)
+    _show(found)
+    if scores:
+        _show(pd.DataFrame([scores]))
+
+
+def _show(frame):
+    sys.stdout.write(frame.round(3).to_string(index=False) + "\n\n")
+
+
+WORDS = {
+    "run": _run,
+    "score": _score,
+    "solvers": _solvers,
+    "lessons": _lessons,
+    "blocks": _blocks,
+}
 
 
 def main(words=None):
     """Run or score; return the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("what", choices=["run", "score", "solvers"])
+    parser.add_argument("what", choices=[*WORDS])
     parser.add_argument("folder", help="of the prediction")
     parser.add_argument(
         "--data", required=True, help="folder of the tests, or for a score tests.csv"
@@ -31,16 +77,7 @@ def main(words=None):
     try:
         if not Path(given.folder).is_dir():
             raise ConfigError(f"{given.folder}: no folder of a prediction")
-        if given.what == "run":
-            for model in models:
-                found = predict.run(given.folder, given.data, model, max(1, given.cores))
-                mean = found.groupby("specimen")["probability_of_fall"].mean().round(3)
-                sys.stdout.write(f"{model}: mean probability of a fall {mean.to_dict()}\n")
-        elif given.what == "solvers":
-            sys.stdout.write(solvers.run(given.folder, given.data).to_string() + "\n")
-        else:
-            for part in score(given.folder, given.data, models):
-                sys.stdout.write(part.round(3).to_string(index=False) + "\n\n")
+        WORDS[given.what](given, models)
     except (ConfigError, OSError, ValueError) as error:
         sys.stderr.write(f"overturning: {error}\n")
         return 1
