@@ -55,6 +55,9 @@ def draw(stated, solid, mass_kg, weakest_rad, number, specimen):
     if rng.uniform() < about["weakest_share"]:
         direction = near
     direction += math.pi * (number % 2)
+    own = stated["specimens"][specimen]
+    if "direction_deg" in own:
+        direction = math.radians(own["direction_deg"])
     off = 1e-3 * stated["centre_of_mass_deviation_mm"] * np.append(rng.normal(size=2), 0.0)
     friction = math.radians(rng.uniform(*stated["friction_deg"]))
     contact = stated["contact_n_m"] * math.exp(stated["contact_log_deviation"] * rng.normal())
@@ -63,8 +66,7 @@ def draw(stated, solid, mass_kg, weakest_rad, number, specimen):
     c, s = math.cos(direction), math.sin(direction)
     turn = np.array([[s, -c, 0.0], [c, s, 0.0], [0.0, 0.0, 1.0]])  # the direction becomes y
     points, inertia = points @ turn.T, turn @ solid.inertia_m2 @ turn.T
-    about = stated.get("width", {"factor": 1.0, "log_deviation": 0.0})
-    scale = about["factor"] * math.exp(about["log_deviation"] * rng.normal())
+    scale = own.get("width", 1.0)
     chain = geometry.profile(points, 0.5 * math.pi) * np.array([scale, 1.0])
     standing = blocks.Standing(
         chain,
