@@ -8,6 +8,7 @@ beside it, grade 5 a fall. docs/evidence.md
 """
 
 import argparse
+import math
 import sys
 from pathlib import Path
 
@@ -34,33 +35,32 @@ def read(folder):
         raise ConfigError(f"{path}: expected columns {', '.join(absent)}")
     if runs.empty:
         raise ConfigError(f"{path}: expected a row a run: nobody has filled it in yet")
-    for number, row in enumerate(runs.itertuples(), 1):
-        if not row.pga_g > 0.0:
-            raise ConfigError(f"{path}: row {number}: pga_g = {row.pga_g}: expected > 0 (g)")
-        if not (pd.isna(row.grade) or row.grade in range(COLLAPSE + 1)):
-            raise ConfigError(
-                f"{path}: row {number}: grade = {row.grade}: expected 0 to 5 or blank"
-            )
+    for number, row in enumerate(runs.to_dict("records"), 1):
+        pga_g, grade = float(row["pga_g"]), float(row["grade"])
+        if not pga_g > 0.0:
+            raise ConfigError(f"{path}: row {number}: pga_g = {pga_g:g}: expected > 0 (g)")
+        if not (math.isnan(grade) or grade in range(COLLAPSE + 1)):
+            raise ConfigError(f"{path}: row {number}: grade = {grade:g}: expected 0 to 5 or blank")
     return runs
 
 
 def predict(runs):
     """The runs with half_collapse_g and probability_of_fall of their façade by the formula."""
     medians, chances = [], []
-    for row in runs.itertuples():
+    for row in runs.to_dict("records"):
         case = Case.configured(
-            row.model,
+            row["model"],
             {
-                "facade.height_m": float(row.height_m),
-                "facade.thickness_m": float(row.thickness_m),
-                "smdof.period_s": float(row.first_period_s),
+                "facade.height_m": float(row["height_m"]),
+                "facade.thickness_m": float(row["thickness_m"]),
+                "smdof.period_s": float(row["first_period_s"]),
                 "facade.base": "column",
-                "return_wall.building_mass_kg": float(row.building_mass_kg),
+                "return_wall.building_mass_kg": float(row["building_mass_kg"]),
             },
         )
         found = estimate(case)
         medians.append(found.median)
-        chances.append(float(found.probability(row.pga_g)))
+        chances.append(float(found.probability(row["pga_g"])))
     return runs.assign(half_collapse_g=medians, probability_of_fall=chances)
 
 

@@ -167,7 +167,7 @@ def corners(points_m, within_m=3e-4):
     reach = every @ np.array(down)
     farthest = reach.max(axis=0)
     lowest = np.flatnonzero(every[:, 2] < every[:, 2].min() + 1e-6)
-    chosen = list(lowest)
+    chosen = [int(i) for i in lowest]
     while True:
         lack = farthest - reach[chosen].max(axis=0)
         worst = int(np.argmax(lack))

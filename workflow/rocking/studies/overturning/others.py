@@ -26,6 +26,8 @@ class Footed(Wall):
     the way of it at which the block has fallen; mass and inertia are its own.
     """
 
+    standing: blocks.Standing
+
     def __init__(self, standing):
         """Of a draw in the plane."""
         y, z = np.asarray(standing.corners_m, float).T

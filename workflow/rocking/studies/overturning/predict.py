@@ -48,13 +48,9 @@ _shared: dict = {}
 
 def _one(job):
     specimen, number = job
-    one = draws.draw(
-        _shared["stated"],
-        *_shared["solids"][specimen],
-        _shared["weakest"][specimen],
-        number,
-        specimen,
-    )
+    solid, mass_kg = _shared["solids"][specimen]
+    weakest = _shared["weakest"][specimen]
+    one = draws.draw(_shared["stated"], solid, mass_kg, weakest, number, specimen)
     return fell(_shared["stated"], one.standing, _shared["motions"])
 
 
@@ -125,7 +121,8 @@ def run(folder, data, model, cores=1):
 
 def digests(folder):
     """By model what digest.txt says: stated, predicted, stated_in."""
-    path, found = Path(folder) / "digest.txt", {}
+    path = Path(folder) / "digest.txt"
+    found: dict[str, dict[str, str]] = {}
     if path.is_file():
         for line in path.read_text("utf-8").splitlines():
             model, key, value = line.split()

@@ -87,7 +87,7 @@ def agreement(found):
     return pd.Series(counts)
 
 
-def run(folder, data, model="geometry", numbers=(0, 1, 2, 3), every=7, in_space=7):
+def run(folder, data, model="geometry", numbers=(0, 1), every=7, in_space=14):
     """Write solvers.csv into the folder of a prediction and return what it says."""
     found = compare(predict.read(folder, model), data, numbers, every, in_space)
     found.to_csv(f"{folder}/solvers.csv", index=False)
