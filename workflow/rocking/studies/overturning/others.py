@@ -64,8 +64,13 @@ class Footed(Wall):
         """Moment of inertia about the centroid."""
         return float(self.standing.inertia_kg_m2[0])
 
+    @property
+    def rest_rad(self):
+        """Rotation θ at rest, towards +y: the corners of either side sink by what they carry."""
+        return -blocks.rest_pose(self.standing)[1]
+
     def released_pose(self, theta_rad):
-        """Centroid (y, z) at rest, y from half of `b_m`."""
+        """Centroid (y, z) at rest, turned by `rest_rad`; y from half of `b_m`."""
         sunk, _ = blocks.rest_pose(self.standing)
         return 0.5 * self.b_m, float(-self.zeta_m.min() - sunk)
 
@@ -81,6 +86,7 @@ def fell_by_reference(standing, motions, tolerance=1e-5):
             table,
             [1.0],
             table.duration_s + blocks.NUMERICS["after_motion_s"],
+            theta0_over_alpha=wall.rest_rad / wall.alpha_rad,
             tolerance=tolerance,
             stop_d_over_b=1.0,
         )

@@ -12,6 +12,7 @@ from rocking.studies.overturning import blocks, draws, others, predict, table
 
 NUDGE = 1e-3
 TOLERANCE = 1e-6  # of the reference solver
+DOUBT = 0.1, 0.95  # probabilities of a fall
 
 
 def repeated(stated, standing, motions):
@@ -28,7 +29,7 @@ def repeated(stated, standing, motions):
     return found[0], np.all(found == found[0], axis=0)
 
 
-def compare(stated, folder, numbers, every, in_space=0):
+def compare(stated, folder, numbers, every, in_space=None):
     """Table of outcomes, a row a draw and test: planar, repeats, reference; of some YADE's.
 
     Parameters
@@ -37,35 +38,52 @@ def compare(stated, folder, numbers, every, in_space=0):
         Draws of each specimen.
     every : int
         Each so many-th test is run, from the middle of the first stride on.
-    in_space : int
-        Of these each so many-th is run by YADE in three dimensions; 0: none.
+    in_space : dict or None
+        By specimen the tests that the first draw goes through in three dimensions too, by YADE.
     """
-    tests = list(table.tests(folder).index)[every // 2 :: every]
-    motions = table.motions(folder, tests)
-    spatial = tests[in_space // 2 :: in_space] if in_space else []
+    strided = list(table.tests(folder).index)[every // 2 :: every]
     rows = []
     for specimen, (solid, mass) in draws.solids(stated, folder).items():
         weakest = draws.weakest(solid)
         for number in numbers:
             one = draws.draw(stated, solid, mass, weakest, number, specimen)
-            standing = one.standing
-            fell, same = repeated(stated, standing, list(motions.values()))
-            other = others.fell_by_reference(standing, list(motions.values()), TOLERANCE)
-            space = {}
-            if spatial:
-                few = {test: motions[test] for test in spatial}
-                space = {n: found for (_, n), found in others.by_yade({"a": one}, few).items()}
-            for k, test in enumerate(tests):
-                row = {"test": test, "specimen": specimen, "draw": number}
-                row |= {"planar": int(fell[k]), "repeats": int(same[k]), "reference": int(other[k])}
-                row |= dict.fromkeys(("yade", "tilt_deg", "twist_deg", "slid_mm"), np.nan)
-                if found := space.get(test):
-                    row["yade"] = {"fell": 1, "stood": 0}.get(found["status"], np.nan)
-                    row["tilt_deg"] = round(float(np.degrees(found["tilt_rad"])), 2)
-                    row["twist_deg"] = round(float(np.degrees(found["twist_rad"])), 2)
-                    row["slid_mm"] = round(1e3 * found["slid_m"], 2)
-                rows.append(row)
+            spatial = (in_space or {}).get(specimen, []) if number == numbers[0] else []
+            motions = table.motions(folder, sorted({*strided, *spatial}))
+            rows += _rows(stated, one, (specimen, number), motions, spatial)
     return pd.DataFrame(rows).astype({"yade": "Int64"})
+
+
+def _rows(stated, one, names, motions, spatial):
+    """Rows of one draw; `names` are the specimen and the number of the draw."""
+    shaken = list(motions.values())
+    fell, same = repeated(stated, one.standing, shaken)
+    other = others.fell_by_reference(one.standing, shaken, TOLERANCE)
+    space = {}
+    if spatial:
+        found = others.by_yade({"a": one}, {test: motions[test] for test in spatial})
+        space = {test: outcome for (_, test), outcome in found.items()}
+    rows = []
+    for k, test in enumerate(motions):
+        row = {"test": test, "specimen": names[0], "draw": names[1], "planar": int(fell[k])}
+        row |= {"repeats": int(same[k]), "reference": int(other[k])}
+        row |= dict.fromkeys(("yade", "tilt_deg", "twist_deg", "slid_mm"), np.nan)
+        if outcome := space.get(test):
+            row["yade"] = {"fell": 1, "stood": 0}.get(outcome["status"], np.nan)
+            row["tilt_deg"] = round(float(np.degrees(outcome["tilt_rad"])), 2)
+            row["twist_deg"] = round(float(np.degrees(outcome["twist_rad"])), 2)
+            row["slid_mm"] = round(1e3 * outcome["slid_m"], 2)
+        rows.append(row)
+    return rows
+
+
+def doubtful(folder, model, count):
+    """By specimen so many tests, evenly among those to which a model gives DOUBT."""
+    predicted = pd.read_csv(f"{folder}/{model}.csv")
+    found = {}
+    for specimen, own in predicted.groupby("specimen"):
+        tests = own.loc[own["probability_of_fall"].between(*DOUBT), "test"].to_numpy()
+        found[specimen] = sorted(tests[np.linspace(0, len(tests) - 1, count).round().astype(int)])
+    return found
 
 
 def agreement(found):
@@ -87,8 +105,12 @@ def agreement(found):
     return pd.Series(counts)
 
 
-def run(folder, data, model="geometry", numbers=(0, 1), every=7, in_space=14):
-    """Write solvers.csv into the folder of a prediction and return what it says."""
-    found = compare(predict.read(folder, model), data, numbers, every, in_space)
+def run(folder, data, model="fitted", numbers=(0, 1, 2, 3), every=7, in_space=10):
+    """Write solvers.csv into the folder of a prediction and return what it says.
+
+    YADE runs `in_space` doubtful tests of each specimen, and none for 0.
+    """
+    spatial = doubtful(folder, model, in_space) if in_space else None
+    found = compare(predict.read(folder, model), data, numbers, every, spatial)
     found.to_csv(f"{folder}/solvers.csv", index=False)
     return agreement(found)
