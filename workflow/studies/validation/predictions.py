@@ -10,7 +10,7 @@ A prediction is a folder: `specimen.yaml` as of an experiment (`validation`), `r
     python -m studies.validation.predictions score FOLDER
 
 `run` writes predicted.csv and digest.txt into the folder: SHA-256 of what was stated, of the tables
-and the commit of the former. `score` sets them against outcomes.csv. docs/predictions.md
+and the commit of the former. `score` sets them against outcomes.csv. docs/evidence.md
 """
 
 import argparse

@@ -2,8 +2,8 @@
 
 An experiment is a folder of three files: `specimen.yaml` (the wall; `specimens` says how its
 parameters follow), `runs.csv` (what it went through, in order) and `measured.csv`. Another model of
-the same test states `like: folder` and what it changes. page.md beside this file
-says what stands in them.
+the same test states `like: folder` and what it changes. docs/evidence.md has what stands
+in them.
 """
 
 import math
