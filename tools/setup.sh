@@ -46,8 +46,8 @@ if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
   $pip --require-hashes -r .venv/builds.lock
   $pip --require-hashes --no-build-isolation --use-pep517 -r requirements.lock
   $pip --no-deps --no-build-isolation --editable .
-  # before Snakemake reads what --configfile names, in which it would run code (rocking/runtime/start.py)
-  printf '#!%s\nimport sys\n\nfrom rocking.runtime.start import main\n\nsys.exit(main())\n' \
+  # before Snakemake reads what --configfile names, in which it would run code (rocking/start.py)
+  printf '#!%s\nimport sys\n\nfrom rocking.start import main\n\nsys.exit(main())\n' \
     "$PWD/.venv/bin/python" > .venv/bin/snakemake
   say "compiling the solvers"
   # Python's own compiling too, of what runs import: the environment may forbid Python to keep it

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from rocking.building.comparison import choose_n
 from rocking.building.modes import Modes
-from rocking.building.search import PlanVariant, first_mode
+from rocking.building.readings import first_mode
 
 
 @pytest.mark.parametrize("order", [(0, 1, 2, 3, 4, 5), (5, 4, 3, 2, 1, 0), (4, 0, 3, 5, 1, 2)])
@@ -32,10 +32,3 @@ def modes(along_y):
 def test_the_first_mode_is_that_of_the_most_mass_or_the_first_with_much(along_y, by_mass, first):
     assert first_mode(modes(along_y), "mass") == by_mass
     assert first_mode(modes(along_y), "first") == first
-
-
-def test_a_variant_scales_the_timber_and_takes_its_own_density():
-    own = PlanVariant(1.0, 1.2, 0.9, 0.5, 1.6, 0.4, 1750.0)
-    given = {"timber_jkn_pa_m": 2e9, "timber_jks_pa_m": 1e9, "density_kg_m3": 1900.0, "other": 1}
-    expected = {"timber_jkn_pa_m": 3.2e9, "timber_jks_pa_m": 1.6e9}
-    assert own.settings(given) == {**given, **expected, "density_kg_m3": 1750.0}

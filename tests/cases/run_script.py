@@ -6,7 +6,7 @@ from forked import ROOT, run
 
 
 def script(name, folder, checked=True, **parts):
-    """Run a script of workflow/scripts or tools, by its name, in a folder.
+    """Run a script of workflow/scripts, of a study or of tools, by its name, in a folder.
 
     Parameters
     ----------
@@ -22,7 +22,8 @@ def script(name, folder, checked=True, **parts):
     -------
     CompletedProcess
     """
-    (found,) = [*(ROOT / "workflow/scripts").glob(f"*/{name}.py"), *ROOT.glob(f"tools/{name}.py")]
+    places = ("workflow/scripts/*", "workflow/studies/*/scripts", "tools")
+    (found,) = [path for place in places for path in ROOT.glob(f"{place}/{name}.py")]
     words = [str(found)]
     for part, values in parts.items():
         words.append(f"--{part}")

@@ -78,7 +78,7 @@ def test_the_folder_s_own_file_runs_no_code_under_n_either(tmp_path):
 def test_what_configfile_names_is_looked_at_before_snakemake_reads_it(tmp_path):
     """By the command that `make setup` writes, and whichever way the option is spelt."""
     (tmp_path / "theirs.yaml").write_text(RUNS)
-    start = [sys.executable, "-m", "rocking.runtime.start", "-s", str(ROOT / "workflow/Snakefile")]
+    start = [sys.executable, "-m", "rocking.start", "-s", str(ROOT / "workflow/Snakefile")]
     done = subprocess.run(
         [*start, "-n", "--cores", "1", "--configfiles=theirs.yaml", "--", "check"],
         cwd=tmp_path,
@@ -90,4 +90,4 @@ def test_what_configfile_names_is_looked_at_before_snakemake_reads_it(tmp_path):
         "error: config: theirs.yaml: __use_yte__ would run code of the file; expected plain values"
     )
     assert not (tmp_path / "ran").exists()
-    assert "from rocking.runtime.start import main" in (ROOT / "tools/setup.sh").read_text("utf-8")
+    assert "from rocking.start import main" in (ROOT / "tools/setup.sh").read_text("utf-8")

@@ -25,16 +25,17 @@ __all__ = [
 NAMES = ("record", "station", "event", "run", "part", "name", "variant", "case", "file", "first")
 
 
-def read_frame(path, **options):
+def read_frame(path, numbers=(), **options):
     """Read a table of results: columns of names as text, as they stand, all others by themselves.
 
+    `numbers` are columns that hold numbers here and names elsewhere, such as the runs of a test;
     `options` are of `pandas.read_csv`. An empty cell is missing in any column.
     """
     with open(path, encoding="utf-8", newline="") as stream:
         mark = options.get("comment") or "\0"
         lines = (line for line in stream if not line.startswith(mark))
         header = next(csv.reader(lines, delimiter=options.get("sep", ",")), [])
-    named = [column for column in header if column in NAMES]
+    named = [column for column in header if column in NAMES and column not in numbers]
     missing = {column: [""] if column in named else sorted(STR_NA_VALUES) for column in header}
     return pd.read_csv(
         path, dtype=dict.fromkeys(named, str), keep_default_na=False, na_values=missing, **options

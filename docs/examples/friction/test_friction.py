@@ -5,6 +5,7 @@ import pandas as pd
 import pytest
 from rocking import Case, Motion
 from rocking.records import Record
+
 from studies.friction import study as friction
 
 SHORT = {"numerics.after_motion_s": 3.0, "smdof.tail_s": 1.0, "ida.max_pga_g": 1.0}

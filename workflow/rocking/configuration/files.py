@@ -78,6 +78,7 @@ class _UniqueKeys(yaml.SafeLoader):
 MAX_BYTES = 250_000  # PyYAML takes seconds for it; MAX_VALUES values are no more
 MAX_NODES = 3 * MAX_VALUES  # keys, values, lists and sections, those of aliases each time
 MAX_NUMBER = 64  # characters
+SNAKEMAKES = yaml.FullLoader  # what Snakemake reads configurations with
 TEMPLATE = "__use_yte__"  # with it Snakemake runs expressions of the file as Python
 _NUMBERS = ("tag:yaml.org,2002:int", "tag:yaml.org,2002:float")
 
@@ -241,7 +242,7 @@ def refuse_harmful(path: str | os.PathLike) -> None:
             return
         _refuse_growth(node, str(path))
         _refuse_long_numbers(node, str(path))
-        _refuse_template(yaml.load(text, yaml.FullLoader), str(path))
+        _refuse_template(yaml.load(text, SNAKEMAKES), str(path))
     except ConfigError:
         raise
     except (*_CONVERSION, yaml.YAMLError, RecursionError):

@@ -11,7 +11,6 @@ import yaml
 from rocking.configuration.config import ConfigError
 from rocking.mechanics.closed_forms import restitution_housner
 from rocking.solver import Motions, history, peaks, stable_step, to_plane
-from rocking.studies import shaken_buildings
 
 from studies.overturning import (
     blocks,
@@ -25,8 +24,9 @@ from studies.overturning import (
 )
 from studies.overturning.__main__ import main
 from studies.overturning.score import calibration, interval, measures, score
+from studies.validation import shaken_buildings
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 FOLDER = ROOT / "config" / "predictions" / "overturning"
 MADE = [m for m in predict.MODELS if (FOLDER / f"{m}.csv").is_file()]
 WIDE, DEEP, HIGH = 0.2, 0.3, 0.6

@@ -68,7 +68,7 @@ def read(folder):
     if missing or specimen["kind"] not in KINDS:
         raise ConfigError(f"{path}: expected {', '.join(missing) or 'kind: ' + ' or '.join(KINDS)}")
     check_damping(path, specimen)
-    runs = read_frame(Path(folder) / "runs.csv", comment="#")
+    runs = read_frame(Path(folder) / "runs.csv", comment="#", numbers=["run"])
     absent = [name for name in KINDS[specimen["kind"]] if name not in runs]
     if absent:
         raise ConfigError(f"{folder}/runs.csv: expected columns {', '.join(absent)}")
@@ -252,7 +252,7 @@ def outcomes_of(path, runs):
     (`runs`) or something else than a fall or a stand.
     """
     try:
-        outcomes = read_frame(path, comment="#")
+        outcomes = read_frame(path, comment="#", numbers=["run"])
     except pd.errors.ParserError as error:
         raise ConfigError(f"{path}: {str(error).strip()}") from None
     except pd.errors.EmptyDataError:
@@ -282,7 +282,7 @@ def score(folder):
     for name, same in unchanged(folder).items():
         if not same:
             raise ConfigError(f"{folder}: what was {name} is not what {DIGEST} says")
-    table = read_frame(folder / TABLE)
+    table = read_frame(folder / TABLE, numbers=["run"])
     if "run" not in table:
         raise ConfigError(
             f"{folder / TABLE}: no run is predicted; fill in runs.csv, and run it first"

@@ -92,7 +92,7 @@ def read(folder):
     measured = (f"measured_{specimen['observed']['unit']}",)
     for name, columns in (("runs", KINDS[specimen["kind"]]), ("measured", measured)):
         file = next((file for file in given if file.stem == name), folder / f"{name}.csv")
-        table = read_frame(file, comment="#")
+        table = read_frame(file, comment="#", numbers=["run"])
         absent = [column for column in ("run", *columns) if column not in table]
         if absent:
             raise ConfigError(f"{file}: expected columns {', '.join(absent)}")

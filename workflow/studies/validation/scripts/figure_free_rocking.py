@@ -13,7 +13,7 @@ from studies.validation import study as validation
 
 def main(job):
     experiment = validation.read(Path(job.input.files[0]).parent)
-    table = read_frame(job.input.table)
+    table = read_frame(job.input.table, numbers=["run"])
     trials = experiment.measured.merge(experiment.runs, on="run")
     once = table.drop_duplicates("run")
     one_height = once["height_m"].nunique() == 1

@@ -21,7 +21,7 @@ LOOKS = (("level top", style.LOOKS[0][0], "-"), ("top that may turn", style.LOOK
 
 def main(job):
     models = [validation.read(Path(path).parent) for path in job.input.specimens]
-    tables = [shown(read_frame(path)) for path in job.input.tables]
+    tables = [shown(read_frame(path, numbers=["run"])) for path in job.input.tables]
     whole = pd.concat(tables)
     fallen_mm = FALL * whole[["peak_mm", "measured_mm"]].max().max()
     size, around = (3.5, 2.5), (0.0, 0.9)

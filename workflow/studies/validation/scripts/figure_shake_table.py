@@ -17,7 +17,7 @@ SOLVERS = {"planar": ("#0072B2", "s"), "YADE": ("#D55E00", "^")}
 def main(job):
     experiment = validation.read(Path(job.input.files[0]).parent)
     about = experiment.specimen
-    table = read_frame(job.input.table)
+    table = read_frame(job.input.table, numbers=["run"])
     variants = list(dict.fromkeys(table["variant"]))
     shown = variants[: json.loads(job.params.settings)["validation"]["main_variants"]]
     figure, axes = plt.subplots(

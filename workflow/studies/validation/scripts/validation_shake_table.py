@@ -15,7 +15,7 @@ from studies.validation.study import ALONE, PERCENTILES, SEQUENCE, STILL
 def main(job):
     experiment = validation.read(Path(job.input.files[0]).parent)
     about = read_json(job.input.cases)
-    planar = read_frame(job.input.planar)
+    planar = read_frame(job.input.planar, numbers=["run"])
     rows = []
     for (variant, run_, how), part in planar.groupby(["variant", "run", "how"], sort=False):
         values = part["peak_mm"].to_numpy()
