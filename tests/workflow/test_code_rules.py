@@ -18,8 +18,6 @@ RULES += sorted([*ROOT.glob("workflow/rules/*.smk"), *ROOT.glob("workflow/studie
 ALLOWED = {
     "workflow/rocking/runtime/run_lock.py": {"socket"},  # asks for the machine's name
     "workflow/rocking/runtime/warm.py": {"runpy"},  # a script of the project, of a rule
-    # by a loader made of the safe one; by Snakemake's own, of what it would take for a template
-    "workflow/rocking/configuration/files.py": {"yaml.load", "yaml.FullLoader"},
     "workflow/rocking/configuration/schema.py": {
         "yaml.load",
         "getattr(yaml)",

@@ -78,7 +78,6 @@ class _UniqueKeys(yaml.SafeLoader):
 MAX_BYTES = 250_000  # PyYAML takes seconds for it; MAX_VALUES values are no more
 MAX_NODES = 3 * MAX_VALUES  # keys, values, lists and sections, those of aliases each time
 MAX_NUMBER = 64  # characters
-SNAKEMAKES = yaml.FullLoader  # what Snakemake reads configurations with
 TEMPLATE = "__use_yte__"  # with it Snakemake runs expressions of the file as Python
 _NUMBERS = ("tag:yaml.org,2002:int", "tag:yaml.org,2002:float")
 
@@ -150,9 +149,20 @@ def _refuse_other_bases(node, name):
             )
 
 
-def _refuse_template(found, name):
+def _asks_for_template(node):
+    """Whether a mapping, or one that is merged into it, has the key, whatever its tag."""
+    for key, value in node.value if isinstance(node, yaml.MappingNode) else ():
+        if key.value == TEMPLATE:
+            return True
+        merged = value.value if isinstance(value, yaml.SequenceNode) else [value]
+        if key.value == "<<" and any(map(_asks_for_template, merged)):
+            return True
+    return False
+
+
+def _refuse_template(node, name):
     """Refuse a file that asks for what Snakemake calls a template, whatever it says of it."""
-    if isinstance(found, Mapping) and TEMPLATE in found:
+    if _asks_for_template(node):
         raise ConfigError(f"{name}: {TEMPLATE} would run code of the file; expected plain values")
 
 
@@ -166,9 +176,8 @@ def _loaded(text: str, name: str):
             return None, None
         _refuse_growth(node, name)
         _refuse_long_numbers(node, name)
-        found = loader.construct_document(node)
-        _refuse_template(found, name)
-        return found, node
+        _refuse_template(node, name)
+        return loader.construct_document(node), node
     except ConfigError:
         raise
     except yaml.MarkedYAMLError as error:
@@ -242,7 +251,7 @@ def refuse_harmful(path: str | os.PathLike) -> None:
             return
         _refuse_growth(node, str(path))
         _refuse_long_numbers(node, str(path))
-        _refuse_template(yaml.load(text, SNAKEMAKES), str(path))
+        _refuse_template(node, str(path))
     except ConfigError:
         raise
     except (*_CONVERSION, yaml.YAMLError, RecursionError):
