@@ -5,13 +5,14 @@
 For every curve the dense scan with its power, then `--each` histories in every 1 % of amplitude
 below its `pga_safe_g`, down to `--down` of it: how many fall, and in which windows more than the
 bound. `--courses` takes the wall in four courses; `--finer 0.25 60` runs so many more in every 1 %
-at a quarter of the step. `--former` judges the search that doubts by the largest peak alone, by the
-same histories. Above the safe amplitude `--above` of them in 1 %, up to where 90 % fall for sure:
-first crossings from those alone, beside the scan's and the short climb's; 0: none. Motions by the
-names of the recorded suite, or of `--records`; with a seed surrogates of `--surrogates`. Curves
-that `--output` holds are not run again; `--keep` is a folder for the scans and the dense histories.
-A curve takes half a minute to some minutes; a line says what all of them come to. What stands in
-docs/log/collapse.md: `tests/trials/safe_amplitudes.sh`.
+at a quarter of the step, and `--each` where more than the bound fell of these. `--former` judges
+the search that doubts by the largest peak alone, by the same histories. Above the safe amplitude
+`--above` of them in 1 %, up to where 90 % fall for sure: first crossings from those alone, beside
+the scan's and the short climb's; 0: none. Motions by the names of the recorded suite, or of
+`--records`; with a seed surrogates of `--surrogates`. Curves that `--output` holds are not run
+again; `--keep` is a folder for the scans and the dense histories. A curve takes half a minute to
+some minutes; a line says what all of them come to. The curves of docs/log/collapse.md:
+`tests/trials/safe_amplitudes.sh`.
 """
 
 import argparse
@@ -60,6 +61,17 @@ def beneath(table, each, bound):
         "largest_share": share[worst],
         "at_g": table["pga_g"].iloc[worst * each] if share[worst] else math.nan,
     }
+
+
+def looked_at_again(screen, finer, each, args):
+    """Windows in which few histories fall above the bound, with as many as the others have."""
+    low_g = finer["pga_g"].to_numpy().reshape(-1, each)[:, 0] * math.exp(-0.37 * WINDOW / each)
+    over = finer["collapsed"].to_numpy().reshape(-1, each).mean(axis=1) > args.bound
+    if not over.any():
+        return {}
+    tables = [dense(screen, g, g * math.exp(WINDOW), args.each) for g in low_g[over]]
+    again = beneath(pd.concat(tables), args.each, args.bound)
+    return {f"finer_{name}": again[name] for name in ("windows_over", "largest_share", "at_g")}
 
 
 def by_largest_peak(pga_g, d_over_b, _, low_g):
@@ -180,6 +192,7 @@ def row(curve, args):
         screen.steps_s = [step * step_s for step_s in screen.steps_s]
         finer = dense(screen, low["pga_g"].min(), safe_g, each)
         out |= {f"finer_{k}": v for k, v in beneath(finer, each, args.bound).items()}
+        out |= looked_at_again(screen, finer, each, args)
         tables["finer"] = finer
     if args.above and math.isfinite(found["pga_p90_g"]):
         high_g = 1.03 * np.nanmax([found["pga_p90_g"], found["pga_p90_high_g"]])

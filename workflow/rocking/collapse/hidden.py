@@ -21,7 +21,7 @@ import numpy as np
 WINDOW = math.log(1.01)  # of amplitude, in which what is left unseen is counted
 UNSTABLE = 1.0  # d/b from which there is no way back
 FURTHER = 4.0  # times as far as neighbours were seen to part
-NEAR = 0.45  # d/b: where no peak comes as far, nothing that falls hides
+NEAR = 0.45  # d/b: where no peak comes as far, a scan's own steps meet what falls
 FEW = 5  # histories that tell it
 SHARE = 0.03  # collapse probability that a search finds with its power
 
