@@ -89,6 +89,13 @@ def test_what_was_changed_in_place_is_made_again_though_dated_as_before(folder, 
     assert notes()[0].unfit(ONE) == ["results/r/b.csv"]
 
 
+def test_a_result_that_is_no_file_any_more_does_not_fit(folder):
+    notes()[0].note(ONE)
+    Path("results/r/b.csv").unlink()
+    os.mkfifo("results/r/b.csv")
+    assert notes()[0].unfit(ONE) == ["results/r/b.csv"]
+
+
 def test_the_line_names_the_file_that_was_changed(folder):
     notes()[0].note(ONE)
     changed("results/r/b.csv", "x\n1\n7\n")

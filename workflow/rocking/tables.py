@@ -1,6 +1,7 @@
 """How results are read and written: one form for every table (CSV), and for all else JSON."""
 
 import re
+import unicodedata
 
 import pandas as pd
 
@@ -44,7 +45,8 @@ def as_text(value):
     if not isinstance(value, str):
         return value
     text = value.replace("\r\n", "\n").replace("\r", "\n")  # only these are quoted in a CSV file
-    return f"'{text}" if _FORMULA.fullmatch(text) else text
+    plain = unicodedata.normalize("NFKC", text).lstrip("\ufeff")  # ＝ counts as = in places
+    return f"'{text}" if _FORMULA.fullmatch(plain) else text
 
 
 def write_table(table, path, columns=None, digits="%.6g"):
@@ -57,4 +59,5 @@ def write_table(table, path, columns=None, digits="%.6g"):
     frame = pd.DataFrame(table, columns=columns).copy(deep=False)
     for name in frame.select_dtypes(exclude=["number", "bool"]):
         frame[name] = frame[name].map(as_text, na_action="ignore")
+    frame.columns = frame.columns.map(as_text)
     frame.to_csv(path, index=False, float_format=digits, lineterminator="\n")

@@ -137,7 +137,7 @@ class MadeOf:
             named = [(p.relative_to(path).as_posix(), self.digest(p)) for p in below]
             return hashlib.sha256(json.dumps(named).encode()).hexdigest()
         if not stat.S_ISREG(at.st_mode):
-            return ""
+            return "neither a file nor a folder"
         key = (at.st_dev, at.st_ino, at.st_size, at.st_mtime_ns, at.st_ctime_ns)
         if key not in self.digests:
             self.digests[key] = self._read(path)
