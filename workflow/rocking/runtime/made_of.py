@@ -224,7 +224,6 @@ def heed(workflow, results, base, own, copies):
     AttributeError or TypeError in a release of Snakemake that plans in another way; nothing is
     changed then.
     """
-    from snakemake.exceptions import WorkflowError
     from snakemake.jobs import Job
     from snakemake.persistence import PersistenceBase as Kept
 
@@ -263,7 +262,8 @@ def heed(workflow, results, base, own, copies):
             try:
                 made.refuse_changed(self)
             except Changed as error:
-                raise WorkflowError(f"error: {error}") from None
+                print(f"error: {error}", file=sys.stderr)
+                raise SystemExit(1) from None  # an exception would end in a traceback
         await prepare(self)
 
     async def postprocessed(self, *args, error=False, **options):
