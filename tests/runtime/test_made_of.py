@@ -130,10 +130,19 @@ def test_an_input_that_was_changed_since_is_refused_before_a_job_reads_it(folder
     made, _ = notes()
     made.note(ONE)
     two = job(["results/r/b.csv"], ["results/r/c.csv"])
-    made.refuse_changed(two)
+    made.begin(two)
     changed("results/r/b.csv", "x\n9\n")
     with pytest.raises(made_of.Changed, match=r"^results/r/b\.csv was changed while"):
-        made.refuse_changed(two)
+        made.begin(two)
+
+
+def test_an_input_that_changes_while_a_job_reads_it_makes_the_result_unfit(folder):
+    """Whether the job read it before or after, nobody knows."""
+    made, _ = notes()
+    made.begin(ONE)
+    changed("a.txt", "1\n3\n")
+    made.note(ONE)
+    assert notes()[0].unfit(ONE) == ["results/r/b.csv"]
 
 
 def test_a_torn_line_harms_no_other_and_notes_stay_few(folder):

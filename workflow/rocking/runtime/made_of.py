@@ -99,6 +99,7 @@ class MadeOf:
         self.notes: dict[Path, Notes] = {}
         self.digests: dict = {}
         self.said: set = set()
+        self.began: dict = {}
 
     def place(self, path):
         """Notes of the folder that a result belongs to, and its name there; None of other files.
@@ -190,8 +191,11 @@ class MadeOf:
             self.say(f"warning: {line}")
         self.said.add(line)
 
-    def refuse_changed(self, job):
-        """Refuse inputs that jobs made and that are other than they left them: `Changed`."""
+    def begin(self, job):
+        """Keep what a job is about to read, for `note`; a change meanwhile is one of its inputs.
+
+        `Changed` for inputs that jobs made and that are other than they left them.
+        """
         for path in map(str, job.input):
             note = self.noted(path)
             if note and (now := self.digest(path)) and now != note[0]:
@@ -200,9 +204,11 @@ class MadeOf:
                     " again"
                 )
 
+        self.began[tuple(map(str, job.output))] = self.of(job)
+
     def note(self, job):
-        """Note the files that a job has made."""
-        of = None
+        """Note the files that a job has made, of what it was about to read where that is known."""
+        of = self.began.pop(tuple(map(str, job.output)), None)
         found: dict[Path, dict] = {}
         for path in map(str, job.output):
             there, digest = self.place(path), self.digest(path)
@@ -246,10 +252,10 @@ def heed(workflow, results, base, own, copies):
         return own(job) or before["has_metadata"](self, job)
 
     def input_changed(self, job, file=None):
-        yielded = list(before["input_changed"](self, job) if file is None else ())
         if file is not None:
             return before["input_changed"](self, job, file=file)
-        return iter(yielded or (made.unfit(job) if own(job) else ()))
+        found = list(before["input_changed"](self, job))
+        return iter(found or (made.unfit(job) if own(job) else ()))
 
     def input_checksums(self, job, input_path):
         if not own(job) or copies(job) or not all(map(made.noted, job.output)):
@@ -260,7 +266,7 @@ def heed(workflow, results, base, own, copies):
     async def prepared(self):
         if own(self):
             try:
-                made.refuse_changed(self)
+                made.begin(self)
             except Changed as error:
                 print(f"error: {error}", file=sys.stderr)
                 raise SystemExit(1) from None  # an exception would end in a traceback
