@@ -1,5 +1,6 @@
 """Configuration files that would run code or stall are refused in one line before they are read."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -50,6 +51,21 @@ def test_no_more_is_read_of_a_file_than_a_configuration_may_have(tmp_path):
     for read in (refuse_harmful, read_yaml):
         with pytest.raises(ConfigError, match="larger than 250000 bytes"):
             read(path)
+
+
+def test_what_is_no_file_is_not_waited_for(tmp_path):
+    """A pipe that nobody writes to, and a device without an end."""
+    os.mkfifo(tmp_path / "pipe.yaml")
+    for path in (tmp_path / "pipe.yaml", "/dev/zero"):
+        for read in (refuse_harmful, read_yaml):
+            with pytest.raises(ConfigError, match="neither a file nor a link to one"):
+                read(path)
+
+
+def test_bytes_that_yaml_does_not_take_are_told_in_one_line():
+    with pytest.raises(ConfigError, match="own.yaml: not readable as YAML") as caught:
+        check_text("run: a\0b\n", "own.yaml")
+    assert "\n" not in str(caught.value)
 
 
 def test_aliases_that_people_write_are_read():

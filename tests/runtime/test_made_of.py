@@ -89,6 +89,13 @@ def test_what_was_changed_in_place_is_made_again_though_dated_as_before(folder, 
     assert notes()[0].unfit(ONE) == ["results/r/b.csv"]
 
 
+def test_a_result_that_is_no_file_any_more_does_not_fit(folder):
+    notes()[0].note(ONE)
+    Path("results/r/b.csv").unlink()
+    os.mkfifo("results/r/b.csv")
+    assert notes()[0].unfit(ONE) == ["results/r/b.csv"]
+
+
 def test_the_line_names_the_file_that_was_changed(folder):
     notes()[0].note(ONE)
     changed("results/r/b.csv", "x\n1\n7\n")
@@ -123,10 +130,19 @@ def test_an_input_that_was_changed_since_is_refused_before_a_job_reads_it(folder
     made, _ = notes()
     made.note(ONE)
     two = job(["results/r/b.csv"], ["results/r/c.csv"])
-    made.refuse_changed(two)
+    made.begin(two)
     changed("results/r/b.csv", "x\n9\n")
     with pytest.raises(made_of.Changed, match=r"^results/r/b\.csv was changed while"):
-        made.refuse_changed(two)
+        made.begin(two)
+
+
+def test_an_input_that_changes_while_a_job_reads_it_makes_the_result_unfit(folder):
+    """Whether the job read it before or after, nobody knows."""
+    made, _ = notes()
+    made.begin(ONE)
+    changed("a.txt", "1\n3\n")
+    made.note(ONE)
+    assert notes()[0].unfit(ONE) == ["results/r/b.csv"]
 
 
 def test_a_torn_line_harms_no_other_and_notes_stay_few(folder):

@@ -206,7 +206,19 @@ def test_signs_of_mathematics_in_a_name_stop_no_figure(tmp_path, name):
 
 @pytest.mark.parametrize(
     "text",
-    ["=1+1", "@SUM(A1)", "+cmd|' /C calc'!A0", '-HYPERLINK("x")', "\t=1", "-2+3*a", "\r=1"],
+    [
+        "=1+1",
+        "@SUM(A1)",
+        " =1+1",
+        "\n=1",
+        "＝1+1",
+        "\ufeff=1",
+        "+cmd|' /C calc'!A0",
+        '-HYPERLINK("x")',
+        "\t=1",
+        "-2+3*a",
+        "\r=1",
+    ],
 )
 def test_no_cell_is_a_formula(tmp_path, text):
     for table in ([{"event": text, "g": -0.5}], pd.DataFrame({"event": pd.Categorical([text])})):

@@ -2,6 +2,7 @@
 
 import csv
 import re
+import unicodedata
 
 import pandas as pd
 from pandas._libs.parsers import STR_NA_VALUES
@@ -74,7 +75,8 @@ def as_text(value):
     if not isinstance(value, str):
         return value
     text = value.replace("\r\n", "\n").replace("\r", "\n")  # only these are quoted in a CSV file
-    return f"'{text}" if _FORMULA.fullmatch(text) else text
+    plain = unicodedata.normalize("NFKC", text).lstrip("\ufeff")  # ＝ counts as = in places
+    return f"'{text}" if _FORMULA.fullmatch(plain) else text
 
 
 def write_table(table, path, columns=None, digits="%.6g"):
@@ -87,4 +89,5 @@ def write_table(table, path, columns=None, digits="%.6g"):
     frame = pd.DataFrame(table, columns=columns).copy(deep=False)
     for name in frame.select_dtypes(exclude=["number", "bool"]):
         frame[name] = frame[name].map(as_text, na_action="ignore")
+    frame.columns = frame.columns.map(as_text)
     frame.to_csv(path, index=False, float_format=digits, lineterminator="\n")

@@ -38,7 +38,9 @@ def commit(digits=7):
     trusted = ["-c", f"safe.directory={ROOT}", "-c", "core.fsmonitor=false"]
     asked = ["describe", "--always", f"--abbrev={digits}", "--dirty=+", "--exclude=*"]
     words = ["git", "-C", str(ROOT), *trusted, *asked]
-    environment = {**os.environ, "GIT_OPTIONAL_LOCKS": "0"}
+    # without what names another repository, as a hook of git's does
+    kept = {name: value for name, value in os.environ.items() if not name.startswith("GIT_")}
+    environment = {**kept, "GIT_OPTIONAL_LOCKS": "0"}
     try:
         done = subprocess.run(words, capture_output=True, text=True, timeout=20, env=environment)
     except (OSError, subprocess.SubprocessError):

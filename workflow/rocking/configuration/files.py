@@ -78,6 +78,7 @@ class _UniqueKeys(yaml.SafeLoader):
 MAX_BYTES = 250_000  # PyYAML takes seconds for it; MAX_VALUES values are no more
 MAX_NODES = 3 * MAX_VALUES  # keys, values, lists and sections, those of aliases each time
 MAX_NUMBER = 64  # characters
+NO_FILE = "neither a file nor a link to one; expected a configuration"  # a pipe is read once
 TEMPLATE = "__use_yte__"  # with it Snakemake runs expressions of the file as Python
 _NUMBERS = ("tag:yaml.org,2002:int", "tag:yaml.org,2002:float")
 
@@ -170,8 +171,9 @@ def _loaded(text: str, name: str):
     """Content and node of a text that neither runs code nor stalls; ConfigError of any other."""
     if (size := len(text.encode("utf-8", "surrogatepass"))) > MAX_BYTES:
         raise ConfigError(f"{name}: {size} bytes; expected at most {MAX_BYTES} of a configuration")
-    loader = _UniqueKeys(text)
+    loader = None
     try:
+        loader = _UniqueKeys(text)
         if (node := loader.get_single_node()) is None:
             return None, None
         _refuse_growth(node, name)
@@ -189,7 +191,8 @@ def _loaded(text: str, name: str):
         reason = str(error).partition("\n")[0] or type(error).__name__
         raise ConfigError(f"{name}: not readable as YAML ({reason})") from None
     finally:
-        loader.dispose()
+        if loader:
+            loader.dispose()
 
 
 def check_text(text: str, name: str, empty: bool = True) -> None:
@@ -208,6 +211,8 @@ def check_text(text: str, name: str, empty: bool = True) -> None:
 
 def read_text(path: str | os.PathLike) -> str:
     """Text of a configuration file, of which no more is read than one may have; ConfigError."""
+    if os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path):
+        raise ConfigError(f"{path}: {NO_FILE}")
     try:
         with open(path, "rb") as handle:
             data = handle.read(MAX_BYTES + 1)
@@ -242,7 +247,8 @@ def refuse_harmful(path: str | os.PathLike) -> None:
     try:
         text = read_text(path)
     except ConfigError:
-        if not os.path.isfile(path) or os.path.getsize(path) <= MAX_BYTES:
+        small = os.path.isfile(path) and os.path.getsize(path) <= MAX_BYTES
+        if small or not os.path.exists(path) or os.path.isdir(path):
             return
         raise
     try:

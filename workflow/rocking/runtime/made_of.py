@@ -99,6 +99,7 @@ class MadeOf:
         self.notes: dict[Path, Notes] = {}
         self.digests: dict = {}
         self.said: set = set()
+        self.began: dict = {}
 
     def place(self, path):
         """Notes of the folder that a result belongs to, and its name there; None of other files.
@@ -137,7 +138,7 @@ class MadeOf:
             named = [(p.relative_to(path).as_posix(), self.digest(p)) for p in below]
             return hashlib.sha256(json.dumps(named).encode()).hexdigest()
         if not stat.S_ISREG(at.st_mode):
-            return ""
+            return "neither a file nor a folder"
         key = (at.st_dev, at.st_ino, at.st_size, at.st_mtime_ns, at.st_ctime_ns)
         if key not in self.digests:
             self.digests[key] = self._read(path)
@@ -190,8 +191,11 @@ class MadeOf:
             self.say(f"warning: {line}")
         self.said.add(line)
 
-    def refuse_changed(self, job):
-        """Refuse inputs that jobs made and that are other than they left them: `Changed`."""
+    def begin(self, job):
+        """Keep what a job is about to read, for `note`; a change meanwhile is one of its inputs.
+
+        `Changed` for inputs that jobs made and that are other than they left them.
+        """
         for path in map(str, job.input):
             note = self.noted(path)
             if note and (now := self.digest(path)) and now != note[0]:
@@ -200,9 +204,11 @@ class MadeOf:
                     " again"
                 )
 
+        self.began[tuple(map(str, job.output))] = self.of(job)
+
     def note(self, job):
-        """Note the files that a job has made."""
-        of = None
+        """Note the files that a job has made, of what it was about to read where that is known."""
+        of = self.began.pop(tuple(map(str, job.output)), None)
         found: dict[Path, dict] = {}
         for path in map(str, job.output):
             there, digest = self.place(path), self.digest(path)
@@ -224,7 +230,6 @@ def heed(workflow, results, base, own, copies):
     AttributeError or TypeError in a release of Snakemake that plans in another way; nothing is
     changed then.
     """
-    from snakemake.exceptions import WorkflowError
     from snakemake.jobs import Job
     from snakemake.persistence import PersistenceBase as Kept
 
@@ -247,10 +252,10 @@ def heed(workflow, results, base, own, copies):
         return own(job) or before["has_metadata"](self, job)
 
     def input_changed(self, job, file=None):
-        yielded = list(before["input_changed"](self, job) if file is None else ())
         if file is not None:
             return before["input_changed"](self, job, file=file)
-        return iter(yielded or (made.unfit(job) if own(job) else ()))
+        found = list(before["input_changed"](self, job))
+        return iter(found or (made.unfit(job) if own(job) else ()))
 
     def input_checksums(self, job, input_path):
         if not own(job) or copies(job) or not all(map(made.noted, job.output)):
@@ -261,9 +266,10 @@ def heed(workflow, results, base, own, copies):
     async def prepared(self):
         if own(self):
             try:
-                made.refuse_changed(self)
+                made.begin(self)
             except Changed as error:
-                raise WorkflowError(f"error: {error}") from None
+                print(f"error: {error}", file=sys.stderr)
+                raise SystemExit(1) from None  # an exception would end in a traceback
         await prepare(self)
 
     async def postprocessed(self, *args, error=False, **options):
