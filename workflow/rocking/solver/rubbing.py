@@ -8,9 +8,10 @@ from rocking.runtime.compiled import inlined
 from .vectors import choose, every, like, put, put_where, some, take
 
 PARTS, BEHIND = 32, 16  # in so many parts friction is told along beds, and along walls
-# Rows a line: from where to where it pressed at the last step, its penetration then, d0 + d1·s, the
-# share of that step for which it did; whether its parts go together: 1, then slip that all of them
-# have had since, and of the stored slips Σ length·slip, Σ length·slip², the largest; slip of each part
+# Rows a line: from where to where it pressed at the last step, its penetration then, d0 + d1·s, and
+# the share of that step for which it did; whether its parts go together: 1, then slip that all of
+# them have had since, and of the stored slips Σ length·slip, Σ length·slip² and the largest; then
+# the slip of each part
 LOW, HIGH, DEPTH, COUNTED, WHOLE, SINCE, SUM, SQUARES, MOST, SLIP = 0, 1, 2, 4, 5, 6, 7, 8, 9, 10
 MEMORY = SLIP + PARTS
 SOME = 8  # parts that are passed over at once where none is pressed
