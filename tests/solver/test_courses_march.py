@@ -1,12 +1,14 @@
 """How courses march: order of the step, energy, friction in parts, springs taken ahead."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from both_solvers import pulses
 from rocking import Case
 from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
-from rocking.solver import rubbing, stable_step
+from rocking.solver import rubbing, stable_step, stack_kernel
 from rocking.solver.runs import Motions, fitted, history, peaks
 from rocking.solver.stack import LEAD
 
@@ -116,3 +118,15 @@ def test_springs_are_taken_ahead_where_the_step_asks():
     assert history(screen.planes[0], *given, step_s=screen.steps_s[0]).peak_d_over_b == (
         pytest.approx(ahead, rel=0.01)
     )
+
+
+def test_walls_feel_what_accelerations_do_to_forces():
+    """What a block's accelerations take off the force along y on it, its support gets; no other."""
+    draw = np.random.default_rng(6)
+    rise, held, fy = draw.normal(size=6), draw.normal(size=9), np.zeros(3)
+    lines = {"half_m": np.ones(3), "body_a": (1, 0, -1), "body_b": (-1, 1, 0)}
+    plane = SimpleNamespace(lines=SimpleNamespace(**lines, support=(0, -1, 1)))
+    parts = SimpleNamespace(rise=rise, supports=SimpleNamespace(fy=fy))
+    stack_kernel._answer(plane, parts, held, 0.3)
+    expected = 0.3 * held[:3] @ rise[3:], 0.3 * held[6:] @ rise[:3], 0.0
+    assert fy == pytest.approx(np.array(expected))
