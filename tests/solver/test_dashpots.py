@@ -84,3 +84,24 @@ def test_dashpots_along_a_line_by_their_sums(a, b):
     assert other.own == pytest.approx(one.own)
     assert other.between == pytest.approx(one.between)
     assert other.between.any() == (min(a, b) >= 0)
+
+
+@pytest.mark.parametrize(("a", "b"), [(1, 0), (0, 1), (0, -1), (-1, 1)])
+def test_what_withstands_one_direction_by_its_sums(a, b):
+    """As node by node, and what rates of the block do to the force along y on a support."""
+    (y, z), (ey, ez) = (0.6, 0.8), (0.82, -0.57)
+    arms = np.array([(0.3, -0.2), (-0.1, 0.9)])
+    places, plane = np.linspace(-0.2, 0.3, 7), SimpleNamespace(in_row=True)
+    dashpot, back = np.random.default_rng(5).random(places.size), np.zeros(6)
+    one, other = (SimpleNamespace(own=np.zeros(12), between=np.zeros(9)) for _ in range(2))
+    for s, c in zip(places, dashpot, strict=True):
+        turns = [z * (ry + s * ey) - y * (rz + s * ez) for ry, rz in arms]
+        dashpots.resist(plane, one, a, b, (((y, z), turns, c),))
+    sums = [(dashpot * places**n).sum() for n in range(3)]
+    given = other, (a, b, 0), tuple(map(tuple, arms)), (y, z), z * ey - y * ez, sums, back, 3
+    faces.withstand(*given)
+    assert other.own == pytest.approx(one.own)
+    assert other.between == pytest.approx(one.between)
+    block = max(a, b)
+    expected = one.own[6 * block : 6 * block + 3] * (min(a, b) < 0)
+    assert back[3:] == pytest.approx(expected)

@@ -52,6 +52,8 @@ def drawn_facade(draw, model):
         some += [("thickness_steps", [{"z_m": 0.5 * height, "thickness_m": 0.2}])]
         some += [("ties", [{"height_m": 0.9 * height}]), ("sides", "two")]
         some += [("floors", [{"height_m": 0.7 * height, "load_kn": 20.0, "anchor_kn": 5.0}])]
+    if model in ("W1", "W2", "W2m"):
+        some += [("courses", int(draw.integers(2, 9)))] * 4
     return own | {key: value for key, value in some if draw.random() < 0.1}
 
 
@@ -131,7 +133,8 @@ def drawn(seed, seconds=2.0, kinds=MOTIONS):
     case, scene = drawn_case(draw)
     motions = drawn_motions(draw, str(draw.choice(kinds)), case, scene)
     plane, carried = to_plane(scene), None
-    if registry.model(case["model"]).two_way and not isinstance(plane, Stack):
+    kind = registry.model(case["model"])
+    if kind.two_way and kind.single_block:  # bricks have their masses in the scene
         carried = carried_masses(case, scene)
     numerics = {**case["numerics"], "after_motion_s": float(draw.choice([0.0, 0.5, 3.0]))}
     for key, values in (("max_speed_ratio", [0.1, 1.0]), ("overturn_ratio", [0.05, 3.0])):
@@ -139,7 +142,7 @@ def drawn(seed, seconds=2.0, kinds=MOTIONS):
             numerics[key] = float(draw.choice(values))
     share = float(draw.choice(STEPS, p=[0.2, 0.25, 0.25, 0.1, 0.08, 0.06, 0.06]))
     step = share * (stable_step(plane, carried) if carried else stable_step(plane))
-    each = 3e-7 if not isinstance(plane, Stack) else 6e-8 * len(plane.kn_n_m)
+    each = 3e-7 if not isinstance(plane, Stack) else 6e-8 * max(len(plane.kn_n_m), 20)
     each *= (motions.time_s[-1] + numerics["after_motion_s"]) / step
     size = int(draw.choice([n for n in SIZES if n * each < seconds] or [3]))
     factors = draw.choice([-1.0, 1.0], size) * np.exp(draw.uniform(-4.0, 1.4, size))

@@ -142,8 +142,8 @@ def withstand(parts, ends, arms, direction, more, sums, back, row, also=False):
     if a >= 0 and b >= 0:
         low, of_low, of_high = (a, of_a, of_b) if a < b else (b, of_b, of_a)
         both = lever_b * of_a + spread[0]
-        entries = yy, yz, y * of_high, yz, zz, z * of_high, of_low * y, of_low * z, both
-        for m, value in enumerate(entries):
+        couplings = yy, yz, y * of_high, yz, zz, z * of_high, of_low * y, of_low * z, both
+        for m, value in enumerate(couplings):
             put(parts.between, 9 * low + m, take(parts.between, 9 * low + m) - value)
     else:
         mine = of_a if a >= 0 else of_b

@@ -29,7 +29,8 @@ import numpy as np
 from rocking.runtime.compiled import inlined
 
 from . import bars, substructure
-from .inputs import COLUMNS, Supports, standing, steps_of, verdict
+from .books import works_of, write
+from .inputs import Supports, standing, steps_of, verdict
 from .motions import STRIDE, SteppedMotions, columns, drive, samples_of, to_lanes
 from .vectors import WIDTH, alone, choose, like, lone, put, put_where, rows_of_lanes, some, take
 
@@ -94,48 +95,6 @@ def _parts(p, bodies, samples, rows, scratch, spans):
         scratch[26 * n :],
         rows[len(rows) - spans :],
     )
-
-
-@inlined
-def _write(out, time, d, v, parts, half, energy, field, weight, chained):
-    """One row of a history's series, see `runs.Series`."""
-    out[0], out[1], out[2], out[9], out[10] = time, lone(d), lone(v), energy[0], energy[1]
-    out[14], out[15], out[16] = energy[2], energy[3], energy[4]
-    for m in range(3):
-        rise = take(parts.rise, m)
-        out[3 + m], out[6 + m] = lone(take(parts.place, m)), lone(take(parts.rate, m) + half * rise)
-        out[11 + m] = lone(weight[m] * (rise + field[m]))
-    place, speed, count = parts.supports.y, parts.supports.vy, len(parts.supports.y) - 1
-    if chained:
-        place, speed, count = parts.ride.u, parts.ride.w, len(parts.ride.u)
-    for j in range(count):
-        out[COLUMNS + j], out[COLUMNS + count + j] = lone(take(place, j)), lone(take(speed, j))
-
-
-@inlined
-def _works(bodies, parts, memory, bars, ag, half):
-    """Energies of one history beside its blocks: those of carriers and floors, see `energies`.
-
-    Power of the inertia forces on them and of driven supports; what their dashpots take.
-    """
-    ride, supports = parts.ride, parts.supports
-    kinetic = held = power = taken = 0.0
-    n = bodies.mass_kg.size
-    for j in range(n):
-        speed = lone(take(ride.v, j)) + half * lone(take(ride.a, j))
-        kinetic += 0.5 * bodies.mass_kg[j] * speed * speed
-        power -= bodies.mass_kg[j] * bodies.ground[j] * ag * speed
-        for i in range(n):
-            other = lone(take(ride.v, i)) + half * lone(take(ride.a, i))
-            held += 0.5 * bodies.k_n_m[j, i] * lone(take(ride.u, j)) * lone(take(ride.u, i))
-            taken += bodies.c_n_s_m[j, i] * speed * other
-    for i in range(bars.mass_kg.size):
-        if bars.mass_kg[i] > 0.0:
-            speed = lone(take(memory.speed_m_s, i)) + half * lone(take(memory.rate_m_s2, i))
-            power -= bars.mass_kg[i] * ag * speed
-    for j in range(len(supports.fy) - 1 if n == 0 else 0):
-        power -= lone(take(supports.fy, j)) * lone(take(supports.vy, j))
-    return kinetic, held, power, taken
 
 
 @inlined
@@ -217,7 +176,7 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
             shaken = substructure.accelerate(bodies, ride, supports, ag, take(state, QUIET))
         if counts:
             kinetic, raised, power, taken = energies(p, parts, half, ag, gravity)
-            works = _works(bodies, parts, memory, p.bars, lone(ag), half)
+            works = works_of(bodies, parts, memory, p.bars, lone(ag), half)
             kinetic, raised = kinetic + works[0], raised + works[1]
             power, taken = power + works[2], taken + works[3]
             # a step's work counts half up to now, half from now on
@@ -226,7 +185,7 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
                 field = ag, gravity, like(0.0, ag)
                 energy = lone(elastic), lone(spent), kinetic, raised, done
                 out = series[written]
-                _write(out, k * dt, d, v, parts, half, energy, field, weight, chained)
+                write(out, k * dt, d, v, parts, half, energy, field, weight, chained)
                 written += 1
             done, spent = done + 0.5 * dt * power, spent + 0.5 * dt * taken
         ends = take(state, MOTION), take(state, FASTEST), take(state, LIMIT)

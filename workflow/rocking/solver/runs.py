@@ -35,8 +35,8 @@ class Series:
         y, z [m] of the centroid from its reference place in the ground's frame, rotation about
         x [rad] (outward is negative), and their rates.
     elastic_j, spent_j : ndarray
-        Energy stored in nodes, ties and floors, raised loads included; taken by dashpots,
-        friction, yielding and what broke so far.
+        Energy stored in nodes, ties and floors, raised loads included; taken by dashpots, those of
+        masses that carry supports too, friction, yielding and what broke so far.
     contact : ndarray, shape (n, 3)
         Force along y, z [N] and moment about x [N·m] of the nodes on the block.
     kinetic_j, potential_j, input_j : ndarray

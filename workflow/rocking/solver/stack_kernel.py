@@ -265,11 +265,11 @@ def _answer(p, parts, held, share):
 def accelerate(p, parts, half, ag, gravity):
     """Accelerations of all blocks, with a block's own dashpots at the velocity of this step.
 
-    Dashpots of `lines` act at v⁻ + ½h (late·a − (late − 1)·a⁻): in the middle of the step, or, where
-    they would ring, at its end less what the last acceleration says of half of it, which keeps the
-    second order. With `p.lead` springs of pieces act as far ahead: with K beside C in the matrix,
-    (M + ½h late C + ½·lead·h²K)·a = F(x, v*) + ½h (late − 2 lead) C·a⁻, v* = v⁻ + (½ − lead)h a⁻,
-    at twice the lead Newmark's β. Supports feel the forces that blocks feel.
+    Dashpots of `lines` act at v⁻ + ½h (late·a − (late − 1)·a⁻): in the middle of the step; where
+    they would ring, at its end less what the last acceleration says of half of it, which keeps
+    the second order. With `p.lead` springs of pieces act as far ahead: with K beside C in the
+    matrix, (M + ½h late C + ½·lead·h²K)·a = F(x, v*) + ½h (late − 2 lead) C·a⁻ with
+    v* = v⁻ + (½ − lead)h a⁻, at twice the lead Newmark's β. Supports feel what blocks feel.
     """
     own, rise, force, nodes = parts.own, parts.rise, parts.force, _nodes(p, parts.nodes)
     before = 1.0  # the dashpots' part of what stands in `own`

@@ -1,0 +1,132 @@
+"""How courses march: order of the step, energy, friction in parts, springs taken ahead."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from both_solvers import pulses
+from rocking import Case
+from rocking.collapse.curve import run_by
+from rocking.collapse.motion import Motion
+from rocking.solver import rubbing, stable_step, stack_kernel
+from rocking.solver.runs import Motions, fitted, history, peaks
+from rocking.solver.stack import LEAD
+
+from yade_scripts.model.models import build_scene
+from yade_scripts.model.scene import NO_DRAG
+
+SUITE = "config/suites/recorded_suite.tsv"
+FOUR = {"facade.courses": 4, "facade.courses_growth": 1.5, "return_wall.building_mass_kg": 64e3}
+
+
+def courses(model, **more):
+    return Case.configured(model, {**FOUR, **more})
+
+
+def closure(screen, pga_g, share=1.0):
+    """Input less what is stored and spent, over the input, at the step's share; largest in size."""
+    (motion,), (factor,) = screen.shaking(pga_g)
+    step_s = share * screen.steps_s[0]
+    how = {"carried": screen.carried, "step_s": step_s, "sample_s": 0.002}
+    h = history(screen.planes[0], motion, screen.numerics, factor, **how)
+    stored = h.kinetic_j + h.potential_j + h.elastic_j
+    error = h.input_j - (stored - stored[0]) - h.spent_j
+    assert h.spent_j[-1] > 0.5 * h.input_j.max()
+    return np.abs(error).max() / h.input_j.max()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("model", "record", "pga_g"), [("W2m", "GMN_NS", 0.205), ("W2m", "IS103_Lo", 0.157)]
+)
+def test_energy_closes(model, record, pga_g):
+    """Within half a per cent of the input at the step taken, a tenth of one at a quarter of it."""
+    screen = run_by("planar", courses(model), Motion.named(record, SUITE), "pos")
+    assert closure(screen, pga_g) < 5e-3
+    assert closure(screen, pga_g, 0.25) < 1e-3
+
+
+@pytest.mark.parametrize("model", ["W1", "W2", "W2m"])
+def test_the_error_falls_with_the_square_of_the_step(model):
+    """In the median of twelve amplitudes at least sixfold by two halvings; of first order 4.4."""
+    t, ground = pulses(1.2)
+    motion = Motion.sampled(ground, float(t[1]), name="pulses")
+    screen = run_by("planar", courses(model), motion, "pos")
+    motions, factors = screen.shaking(np.linspace(0.06, 0.12, 12))
+    found = []
+    for share in (1.0, 0.25, 1.0 / 32.0):
+        how = {"carried": screen.carried, "step_s": share * screen.steps_s[0]}
+        found.append(peaks(screen.planes[0], motions, screen.numerics, factors, **how).d_over_b)
+    assert 0.05 < found[-1].min() < found[-1].max() < 1.0
+    whole, quarter = (np.median(np.abs(d / found[-1] - 1.0)) for d in found[:2])
+    assert whole > 6.0 * quarter
+    assert whole < 2e-3
+
+
+def test_one_law_along_joints():
+    """Dry joints of courses have no dashpots along them, in the scene that all solvers read."""
+    scene = build_scene(courses("W1").sections)
+    assert scene.nodes.drag.tolist() == [NO_DRAG] * len(scene.nodes)
+
+
+def springs(slip, shares, limit, ratio, step):
+    """The law itself, part by part: force over k and slips."""
+    force = np.clip(ratio * (slip + step), -limit, limit)
+    return (shares * force).sum(), force / ratio
+
+
+def test_parts_of_a_line_go_together_while_none_slides():
+    """Friction of a line that is pressed throughout is that of its parts, each with its slip."""
+    draw, (ratio, friction, half) = np.random.default_rng(4), (0.33, 0.5, 0.2)
+    planes = run_by("planar", courses("W1"), Motion.named("GMN_NS", SUITE), "pos").planes
+    lines = planes[0].lines._replace(half_m=np.array([half]))
+    lines = lines._replace(edge_m=half * lines.edge_m[:1] / lines.edge_m[0, lines.parts[0]])
+    parts, rows = int(lines.parts[0]), np.zeros(rubbing.MEMORY)
+    edges = lines.edge_m[0, : parts + 1]
+    shares, middle = np.diff(edges), 0.5 * (edges[1:] + edges[:-1])
+    slip, together, slid = np.zeros(parts), 0, 0
+    for k in range(400):
+        h0, h1 = 1e-4 * (1.6 + np.sin(0.05 * k)), 2e-4 * np.sin(0.031 * k)
+        step = 4e-5 * draw.normal() if k % 40 < 10 else 1e-7 * draw.normal()
+        expected, slip = springs(slip, shares, friction * (h0 + h1 * middle), ratio, step)
+        law, reach = (ratio, friction, True), (-half, half, -half, half)
+        shear, stuck, _, _ = rubbing.rubbed(
+            lines, 0, rows, 0, reach, (h0, h1, step), law, True, False
+        )
+        together += rows[rubbing.WHOLE] > 0.0
+        slid += stuck < 1.9 * half
+        assert shear == pytest.approx(expected, rel=1e-9, abs=1e-15)
+    assert together > 40
+    assert slid > 40
+
+
+def test_springs_are_taken_ahead_where_the_step_asks():
+    """Not up to six tenths of the explicit stable step, and never more than at any step."""
+    screen = run_by("planar", courses("W1"), Motion.named("GMN_NS", SUITE), "pos")
+    plane = screen.planes[0]._replace(lead=LEAD)
+    explicit = stable_step(plane)
+    leads = [fitted(plane, None, share * explicit).lead for share in (0.1, 0.6, 0.9, 2.0, 1e3)]
+    assert leads[:2] == [0.0, pytest.approx(0.0, abs=1e-9)]
+    assert np.all(np.diff(leads) >= 0.0)
+    assert leads[-1] == pytest.approx(LEAD, rel=1e-5)
+    for share, lead in ((0.9, leads[2]), (2.0, leads[3])):
+        assert stable_step(plane, lead=lead) > share * explicit
+    assert screen.planes[0].lead == 0.0
+    t, ground = pulses(1.2)
+    given = Motions(t, ground), screen.numerics
+    ahead = history(plane, *given, step_s=screen.steps_s[0]).peak_d_over_b
+    assert history(screen.planes[0], *given, step_s=screen.steps_s[0]).peak_d_over_b == (
+        pytest.approx(ahead, rel=0.01)
+    )
+
+
+def test_walls_feel_what_accelerations_do_to_forces():
+    """What a block's accelerations take off the force along y on it, its support gets; no other."""
+    draw = np.random.default_rng(6)
+    rise, held, fy = draw.normal(size=6), draw.normal(size=9), np.zeros(3)
+    lines = {"half_m": np.ones(3), "body_a": (1, 0, -1), "body_b": (-1, 1, 0)}
+    plane = SimpleNamespace(lines=SimpleNamespace(**lines, support=(0, -1, 1)))
+    parts = SimpleNamespace(rise=rise, supports=SimpleNamespace(fy=fy))
+    stack_kernel._answer(plane, parts, held, 0.3)
+    expected = 0.3 * held[:3] @ rise[3:], 0.3 * held[6:] @ rise[:3], 0.0
+    assert fy == pytest.approx(np.array(expected))

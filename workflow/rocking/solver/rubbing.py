@@ -1,0 +1,141 @@
+"""Friction along a line of `lines`, told in parts: each has a spring that slides at μN.
+
+Parts that are pressed all along, and of which none slides, go together until one of them may.
+"""
+
+from rocking.runtime.compiled import inlined
+
+from .vectors import choose, every, like, put, put_where, some, take
+
+PARTS, BEHIND = 32, 16  # in so many parts friction is told along beds, and along walls
+# Rows a line: from where to where it pressed at the last step, its penetration then, d0 + d1·s, and
+# the share of that step for which it did; whether its parts go together: 1, then slip that all of
+# them have had since, and of the stored slips Σ length·slip, Σ length·slip² and the largest; then
+# the slip of each part
+LOW, HIGH, DEPTH, COUNTED, WHOLE, SINCE, SUM, SQUARES, MOST, SLIP = 0, 1, 2, 4, 5, 6, 7, 8, 9, 10
+MEMORY = SLIP + PARTS
+SOME = 8  # parts that are passed over at once where none is pressed
+
+
+@inlined
+def _apart(rows, first, parts, mask):
+    """Give the parts of a line that went together their own slips."""
+    since = take(rows, first + SINCE)
+    for part in range(parts):
+        had = take(rows, first + SLIP + part)
+        put(rows, first + SLIP + part, choose(mask, had + since, had))
+    put_where(rows, first + WHOLE, mask, 0.0)
+
+
+@inlined
+def rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
+    """Friction along a line; forces and energies over k.
+
+    Where all of it is pressed, now and at the last step, and no part slides, the parts go together.
+
+    Parameters
+    ----------
+    lines, i, rows, first
+        The line, and its rows from that one on.
+    reach : tuple of 4 numbers
+        From where to where it is pressed, now and at the last step.
+    moves : tuple of 3 numbers
+        Normal force over k along the line, h0 + h1·s; slip of this step.
+    law : tuple of 3
+        ks/kn, tan φ; whether the length that sticks is wanted.
+    acts : mask
+        Where it is pressed at all.
+
+    Returns
+    -------
+    shear, stuck, grip, loss : number
+        Force, length that sticks, Σ length·slip², and the energy that sliding took and opening
+        parts lost; the last two of one history.
+    """
+    (low, high, low_then, high_then), (h0, h1, step) = reach, moves
+    (ratio, friction, _), half = law, lines.half_m[i]
+    throughout = (max(low, low_then) <= -half) & (min(high, high_then) >= half) & acts
+    least = friction * max(min(h0 - h1 * half, h0 + h1 * half), 0.0)
+    together = take(rows, first + WHOLE) > 0.0
+    since = take(rows, first + SINCE) + step
+    holds = together & throughout
+    holds = holds & (ratio * (take(rows, first + MOST) + abs(since)) <= least)
+    if some(together & ~holds):
+        _apart(rows, first, lines.parts[i], together & ~holds)
+    none = like(0.0, h0)
+    shear = stuck = grip = none
+    if some(holds):
+        put_where(rows, first + SINCE, holds, since)
+        length, sum_ = 2.0 * half, take(rows, first + SUM)
+        shear = choose(holds, ratio * (sum_ + since * length), none)
+        stuck = choose(holds, length, none)
+        if counts:
+            grip = take(rows, first + SQUARES) + since * (2.0 * sum_ + since * length)
+    each = acts & ~holds
+    if not (counts or some(each)):
+        return shear, stuck, grip, none
+    if counts and some(holds):
+        return shear, stuck, grip, none
+    t, s, g, loss = _part_by_part(
+        lines, i, rows, first, reach, moves, law, (each, throughout), counts
+    )
+    return choose(each, t, shear), choose(each, s, stuck), grip + g, loss
+
+
+@inlined
+def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
+    """As `rubbed`, part by part: where it is wanted, and where all of the line is pressed."""
+    (low, high, low_then, high_then), (h0, h1, step) = reach, moves
+    (ratio, friction, wanted), (each, throughout), half = law, acts, lines.half_m[i]
+    shear = stuck = grip = loss = stored = top = like(0.0, h0)
+    glides = each & ~each
+    even = not counts and every(throughout | ~each)
+    for begin in range(0, lines.parts[i], SOME):
+        low_edge, high_edge = lines.edge_m[i, begin], lines.edge_m[i, begin + SOME]
+        if not (even or counts or some(each & (min(high, high_edge) > max(low, low_edge)))):
+            continue
+        for part in range(begin, begin + SOME):
+            at = first + SLIP + part
+            one, two = lines.edge_m[i, part], lines.edge_m[i, part + 1]
+            if even:  # each part keeps its slip as it is
+                start, stop = like(one, h0), like(two, h0)
+                had = take(rows, at)
+                shut, share = each, choose(each, two - one, 0.0)
+            else:
+                # what is not pressed keeps a slip that counts for nothing once it is again
+                start, stop = max(low, one), min(high, two)
+                shut = each & (stop > start)
+                if not (counts or some(shut)):
+                    continue
+                had, share = take(rows, at), choose(shut, stop - start, 0.0)
+                before = max(min(high_then, two) - max(low_then, one), 0.0)
+                if counts:
+                    loss += 0.5 * ratio * before * had * had
+                had = had * (min(before, share) / choose(shut, share, 1.0))
+                if counts:
+                    loss -= 0.5 * ratio * share * had * had
+            most = friction * max(h0 + h1 * (0.5 * (start + stop)), 0.0)
+            slip = had + step
+            held = ratio * slip
+            force = min(max(held, -most), most)
+            sticks = abs(held) <= most
+            slip = choose(shut, choose(sticks, slip, force / ratio), 0.0)
+            shear += share * force
+            glides = glides | (shut & ~sticks)
+            top, stored = max(top, abs(slip)), stored + share * slip
+            if wanted:
+                stuck += choose(sticks, share, 0.0)
+            put_where(rows, at, each, slip)
+            if counts:
+                grip += share * slip * slip
+                mean = 0.5 * (most + min(ratio * abs(had), abs(held)))
+                loss += choose(sticks, 0.0, share * mean * abs(held - force) / ratio)
+    least = friction * max(min(h0 - h1 * half, h0 + h1 * half), 0.0)
+    joins = each & throughout & ~glides & (2.0 * ratio * top < least)
+    if some(joins):
+        put_where(rows, first + WHOLE, joins, 1.0)
+        put_where(rows, first + SINCE, joins, 0.0)
+        put_where(rows, first + SUM, joins, stored)
+        put_where(rows, first + SQUARES, joins, grip)
+        put_where(rows, first + MOST, joins, top)
+    return shear, stuck, grip, loss
