@@ -15,8 +15,8 @@ The yardstick is `rocking.reference.stack` with 65 nodes a joint, which stand fo
 history repeats where its peak stands below b and neither 1e-6 of amplitude nor half its step moves
 that by 0.2 %; the compiled solver has no say. Of those that repeat the compiled solver runs at its
 own step, at a half, a quarter and a sixteenth of it. `--models` may run side by side, each with a
-table of its own. `--again TABLE` takes histories and yardstick from another table, as that beside
-this file, and runs the compiled solver alone: so two states of the code meet the same histories.
+table of its own. `--again TABLE` takes what repeats from another table, as that beside this file,
+and runs both solvers once each: so two states of the code meet the same histories.
 `--yade` runs so many of the repeating ones in YADE, at the step as shipped and at a third of it. A
 row is written as soon as it is known; what the table holds is not run again. 60 of each model take
 some 25 minutes of processor time, YADE half a minute a history.
@@ -110,12 +110,16 @@ def strong(name):
     return Motion.sampled(part, dt, "m/s2", name=name)
 
 
+def solver_of(case, motion):
+    """The reference solver of stacks, of a case with its nodes."""
+    numerics = {**case["numerics"], **dict.fromkeys(NODE_KEYS, NODES)}
+    scene = build_scene({**case.sections, "numerics": numerics})
+    return StackSolver(scene, *motion.columns(case))
+
+
 def yardstick(case, motion, factor):
     """Peak at half the step, and how far step and amplitude move it, relative."""
-    time_s, columns = motion.columns(case)
-    own = dict.fromkeys(NODE_KEYS, NODES)
-    numerics = {**case["numerics"], **own}
-    solver = StackSolver(build_scene({**case.sections, "numerics": numerics}), time_s, columns)
+    solver = solver_of(case, motion)
     step_s = min(STEP_S, 1.5 * solver.step_s)
     factors = [factor, factor * (1.0 + AMPLITUDE)]
     first, other = solver.peaks(factors, step_s=step_s).d_over_b
@@ -147,10 +151,16 @@ def compiled(scan, factor):
 
 
 def again(row, motions):
-    """The row with the compiled solver's peaks anew."""
+    """The row with the peaks of both solvers anew, the reference's at its longer step.
+
+    A scene may have another law in another state of the code.
+    """
     case, motion, direction, _ = shaken(int(row["number"]), int(row["seed"]), motions)
     scan = run_by("planar", case, motion, direction)
-    return row | compiled(scan, float(amplitude(scan.ground, direction, row["pga_g"])))
+    factor = float(amplitude(scan.ground, direction, row["pga_g"]))
+    solver = solver_of(case, motion)
+    value = solver.peaks([factor], step_s=min(STEP_S, 1.5 * solver.step_s)).d_over_b[0]
+    return row | {"yardstick": value} | compiled(scan, factor)
 
 
 def history(number, seed, motions):
