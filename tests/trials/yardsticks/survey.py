@@ -2,7 +2,8 @@
 
     .venv/bin/python tests/trials/yardsticks/survey.py --output survey.csv --seed 65 --histories 60
     .venv/bin/python tests/trials/yardsticks/survey.py --output survey.csv --yade 20
-    .venv/bin/python tests/trials/yardsticks/survey.py --output after.csv --again survey.csv
+    .venv/bin/python tests/trials/yardsticks/survey.py --output after.csv \
+        --again tests/trials/yardsticks/histories.csv
 
 What is drawn: in a third of the histories the study's façade before a building of 64 t and 0.27 s;
 in the others height, thickness, E, friction, β by eq. 5, mass and period of the building. Four
@@ -14,11 +15,11 @@ The yardstick is `rocking.reference.stack` with 65 nodes a joint, which stand fo
 history repeats where its peak stands below b and neither 1e-6 of amplitude nor half its step moves
 that by 0.2 %; the compiled solver has no say. Of those that repeat the compiled solver runs at its
 own step, at a half, a quarter and a sixteenth of it. `--models` may run side by side, each with a
-table of its own. `--again TABLE` takes histories and yardstick from another table and runs the
-compiled solver alone: so two states of the code meet the same histories. `--yade` runs so many of
-the repeating ones in YADE, at the step as shipped and at a third of it. A row is written as soon as
-it is known; what the table holds is not run again. 60 of each model take some 25 minutes of
-processor time, YADE half a minute a history.
+table of its own. `--again TABLE` takes what repeats from another table, as that beside this file,
+and runs both solvers once each: so two states of the code meet the same histories.
+`--yade` runs so many of the repeating ones in YADE, at the step as shipped and at a third of it. A
+row is written as soon as it is known; what the table holds is not run again. 60 of each model take
+some 25 minutes of processor time, YADE half a minute a history.
 """
 
 import argparse
@@ -51,7 +52,17 @@ AMPLITUDE = 1e-6
 FRACTIONS = {"own": 1.0, "half": 0.5, "quarter": 0.25, "sixteenth": 1.0 / 16.0}
 YADE = {"yade_own": 1.0, "yade_fine": 1.0 / 3.0}
 WITHIN = 0.01
-COLUMNS = ["number", "model", "record", "direction", "drawn", "height_m", "thickness_m", "e_mpa"]
+COLUMNS = [
+    "seed",
+    "number",
+    "model",
+    "record",
+    "direction",
+    "drawn",
+    "height_m",
+    "thickness_m",
+    "e_mpa",
+]
 COLUMNS += ["friction_deg", "beta_s", "mass_kg", "period_s", "share", "pga_g", "repeats"]
 COLUMNS += ["yardstick", "moved_step", "moved_amplitude", *FRACTIONS, *YADE, "yade_s"]
 NODE_KEYS = ("nodes_thickness", "nodes_height", "nodes_per_block")
@@ -99,12 +110,16 @@ def strong(name):
     return Motion.sampled(part, dt, "m/s2", name=name)
 
 
+def solver_of(case, motion):
+    """The reference solver of stacks, of a case with its nodes."""
+    numerics = {**case["numerics"], **dict.fromkeys(NODE_KEYS, NODES)}
+    scene = build_scene({**case.sections, "numerics": numerics})
+    return StackSolver(scene, *motion.columns(case))
+
+
 def yardstick(case, motion, factor):
     """Peak at half the step, and how far step and amplitude move it, relative."""
-    time_s, columns = motion.columns(case)
-    own = dict.fromkeys(NODE_KEYS, NODES)
-    numerics = {**case["numerics"], **own}
-    solver = StackSolver(build_scene({**case.sections, "numerics": numerics}), time_s, columns)
+    solver = solver_of(case, motion)
     step_s = min(STEP_S, 1.5 * solver.step_s)
     factors = [factor, factor * (1.0 + AMPLITUDE)]
     first, other = solver.peaks(factors, step_s=step_s).d_over_b
@@ -135,11 +150,17 @@ def compiled(scan, factor):
     return found
 
 
-def again(row, seed, motions):
-    """The row with the compiled solver's peaks anew."""
-    case, motion, direction, _ = shaken(int(row["number"]), seed, motions)
+def again(row, motions):
+    """The row with the peaks of both solvers anew, the reference's at its longer step.
+
+    A scene may have another law in another state of the code.
+    """
+    case, motion, direction, _ = shaken(int(row["number"]), int(row["seed"]), motions)
     scan = run_by("planar", case, motion, direction)
-    return row | compiled(scan, float(amplitude(scan.ground, direction, row["pga_g"])))
+    factor = float(amplitude(scan.ground, direction, row["pga_g"]))
+    solver = solver_of(case, motion)
+    value = solver.peaks([factor], step_s=min(STEP_S, 1.5 * solver.step_s)).d_over_b[0]
+    return row | {"yardstick": value} | compiled(scan, factor)
 
 
 def history(number, seed, motions):
@@ -154,7 +175,13 @@ def history(number, seed, motions):
     repeats = value < 1.0 and abs(by_step) < MOVED and abs(by_amplitude) < MOVED
     facade = case["facade"]
     row = {
-        **{"number": number, "model": case.model, "record": motion.name, "direction": direction},
+        **{
+            "seed": seed,
+            "number": number,
+            "model": case.model,
+            "record": motion.name,
+            "direction": direction,
+        },
         "drawn": int((number // len(MODELS)) % 3 != 0),
         **{key: facade[key] for key in ("height_m", "thickness_m", "e_mpa", "friction_deg")},
         "beta_s": case["beta_s"],
@@ -166,9 +193,9 @@ def history(number, seed, motions):
     return row | (compiled(scan, factor) if repeats else {})
 
 
-def in_yade(row, seed, motions, limit_s):
+def in_yade(row, motions, limit_s):
     """Peaks of YADE of one row at its steps, NaN where it failed, and the time that they took."""
-    case, motion, _, _ = shaken(int(row["number"]), seed, motions)
+    case, motion, _, _ = shaken(int(row["number"]), int(row["seed"]), motions)
     found = {"yade_s": 0.0}
     for key, part in YADE.items():
         sections = case.sections
@@ -224,24 +251,26 @@ def main():
     if args.output.exists():
         table = pd.read_csv(args.output)
     rows, motions, number = table.to_dict("records"), {}, 0
-    known = {row["number"] for row in rows}
+    known = {(row["seed"], row["number"]) for row in rows}
     if args.again:
         for row in pd.read_csv(args.again).to_dict("records"):
-            if row["repeats"] and row["number"] not in known:
-                rows.append(again(row, args.seed, motions))
+            if row["repeats"] and (row["seed"], row["number"]) not in known:
+                rows.append(again(row, motions))
                 write_table(rows, args.output, COLUMNS)
     while True:
         count = {m: sum(r["repeats"] for r in rows if r["model"] == m) for m in args.models}
         if min(count.values()) >= args.histories:
             break
-        if number not in known and count.get(MODELS[number % 3], math.inf) < args.histories:
+        if (args.seed, number) not in known and count.get(
+            MODELS[number % 3], math.inf
+        ) < args.histories:
             rows.append(history(number, args.seed, motions))
             write_table(rows, args.output, COLUMNS)
         number += 1
     wanted = [row for row in sorted(rows, key=lambda r: r["number"]) if row["repeats"]]
     for row in wanted[: args.yade]:
         if not row.get("yade_s", math.nan) > 0.0:
-            row |= in_yade(row, args.seed, motions, args.limit)
+            row |= in_yade(row, motions, args.limit)
             write_table(rows, args.output, COLUMNS)
     print(summary(pd.DataFrame(rows, columns=COLUMNS)))
 
