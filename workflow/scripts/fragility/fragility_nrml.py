@@ -16,7 +16,9 @@ def main(job):
     known = np.isfinite(table["median"]) & np.isfinite(table["dispersion"])
     table = table[(table["im"] == w.im) & known]
     if table.empty:  # a fragilityModel without a function is none
-        Path(job.output[0]).write_text("<!-- no motion felled the facade: no fragility function -->\n")
+        Path(job.output[0]).write_text(
+            "<!-- no motion felled the facade: no fragility function -->\n"
+        )
         return
     fits = {row.model: Fragility(row.median, row.dispersion) for row in table.itertuples()}
     name = f"rocking_facade_{w.run}_{w.im}"[:100]
