@@ -43,7 +43,7 @@ if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
   pip=".venv/bin/pip install -q --disable-pip-version-check --no-compile"
   $pip --require-hashes -r requirements.lock
   $pip --no-deps --no-build-isolation --editable .
-  say "compiling the solvers"
+  say "compiling the solvers: some two minutes on two free cores, a quarter of an hour on a loaded machine"
   # Python's own compiling too, of what runs import: the environment may forbid Python to keep it
   .venv/bin/python -m compileall -q smdof yade_scripts workflow/rocking
   env -u PYTHONDONTWRITEBYTECODE .venv/bin/python -m rocking.compile_ahead

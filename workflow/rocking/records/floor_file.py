@@ -12,9 +12,10 @@ import warnings
 import numpy as np
 
 from .errors import RecordError
+from .formats.captions import TIME_UNITS
 from .formats.columns import uniform_step
 from .formats.header import heading_unit
-from .formats.layout import TIME_UNITS, layout
+from .formats.layout import layout
 from .record import UNITS_M_S2, check_plausible, integrate, unit_name
 from .text import read_text
 
@@ -212,7 +213,7 @@ def _refuse_other_ground(path, time_s, ground, record):
 
 
 def _slow_share(ground, floor, step):
-    """Part of the ground's slow velocity that a floor has, 1 of an absolute motion; None: too little.
+    """Part of the ground's slow velocity that a floor has, 1 if absolute; None: too little.
 
     Least squares over frequencies of `SLOW_HZ`, where a building follows its ground.
     """

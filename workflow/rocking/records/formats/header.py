@@ -28,8 +28,8 @@ _STEP_WORD = re.compile(
 )
 _RATE_WORD = re.compile(
     rf"{_SAMPLE}\w*[ _.-]*(?:rate\b|freq|frek|hizi)|abtastrate|abtastfrequenz"
-    rf"|(?:\brate\b|freq\w*|frek\w*|\bvel\w*|taux|tasso|tasa|taxa|cadence)[ ._-]*(?:\w{{1,3}}[ ._'-]+)?"
-    rf"{_SAMPLE}"
+    rf"|(?:\brate\b|freq\w*|frek\w*|\bvel\w*|taux|tasso|tasa|taxa|cadence)"
+    rf"[ ._-]*(?:\w{{1,3}}[ ._'-]+)?{_SAMPLE}"
 )
 _PER_SECOND = re.compile(
     _BARE + rf"\s*(?:sps\b|(?:{_SAMPLE}\w*|pts|points?|punt[io]s?|punkte?|proben|values?|spl)\s*"

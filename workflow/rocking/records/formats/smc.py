@@ -16,7 +16,8 @@ MAX_COMMENTS = 10_000
 UNKNOWN = 1.7e38
 _COMPONENT = re.compile(r"component\s*=\s*(.*)", re.I)
 _KIND = re.compile(
-    r"\s*\d?\s*((?:UN)?CORRECTED ACCELEROGRAM|ACCELEROGRAM|UNKNOWN|VELOCITY|DISPLACEMENT|\w+ SPECTR\w+)",
+    r"\s*\d?\s*((?:UN)?CORRECTED ACCELEROGRAM|ACCELEROGRAM|UNKNOWN|VELOCITY"
+    r"|DISPLACEMENT|\w+ SPECTR\w+)",
     re.I,
 )
 
