@@ -1,4 +1,4 @@
-"""What a block of plain numbers is: a motion in drawn layouts, and each rule on a file of its own."""
+"""What a block of plain numbers is: a motion in drawn layouts, and each rule by itself."""
 
 import numpy as np
 import pytest
@@ -111,7 +111,9 @@ def test_blocks_one_after_another_are_channels_or_a_question(tmp_path):
     [("Velocity [m/s]", "velocity"), ("vel", "velocity"), ("d (cm)", "displacement")],
 )
 def test_a_velocity_beside_is_refused_whatever_is_stated(tmp_path, caption, said):
-    rows = [f"{i * DT_S:.2f},{a},{b}" for i, (a, b) in enumerate(zip(*map(words, (A, B))))]
+    rows = [
+        f"{i * DT_S:.2f},{a},{b}" for i, (a, b) in enumerate(zip(*map(words, (A, B)), strict=True))
+    ]
     path = put(tmp_path, f"Time [s],Acceleration [g],{caption}", *rows)
     read(path, A, component="1")
     for units in (None, "g", "m/s2"):
@@ -145,7 +147,7 @@ def test_parts_of_g_are_converted(tmp_path, heading, factor):
 @pytest.mark.parametrize(
     ("line", "count", "step", "unit"),
     [
-        ("TIMESERIES X, 240 samples, 100 sps, 2020-01-01T00:00:00, FLOAT, cm/s2", 240, 0.01, "cm/s2"),
+        ("TIMESERIES X, 240 samples, 100 sps, 2020-01-01, FLOAT, cm/s2", 240, 0.01, "cm/s2"),
         ("INTERVALO DE MUESTREO, C1-C6 (s) : /0.005/0.005/0.005", None, 0.005, None),
         ("NUM. TOTAL DE MUESTRAS, C1-C6 : /48600/48600/48600", 48600, None, None),
         ("UNIDADES DE LOS DATOS : Gal (cm/s/s)", None, None, "cm/s2"),
@@ -198,7 +200,10 @@ def volume_1(blank=""):
     for name, a in (("EW", A), ("NS", B)):
         cells = [f"{i * DT_S:7.3f}{10 * v:7.3f}" for i, v in enumerate(a)]
         lines += [
-            *("UNCORRECTED ACCELEROGRAM DATA              PROCESSED: 01/02/2003", f"CHAN  1: {name}"),
+            *(
+                "UNCORRECTED ACCELEROGRAM DATA        PROCESSED: 01/02/2003",
+                f"CHAN  1: {name}",
+            ),
             *("NO. OF POINTS =    240  RECORD LENGTH =  2.400 SEC", "UNITS ARE SEC AND G/10."),
             *(*zeros, *reals),
             *(blank + "".join(cells[i : i + 5]) for i in range(0, N, 5)),
