@@ -174,12 +174,15 @@ def check_floors(path, time_s, values, record=None):
     ground = values[GROUND]
     for name, a in values.items():
         if not np.any(a):
-            raise RecordError(f"{path}: column {name} is zero throughout")
+            raise RecordError(
+                f"{path}: column {name} is zero throughout; expected absolute accelerations, of "
+                "the ground too"
+            )
         check_plausible(a, "m/s2", f"{path}: column {name}")
     floors = {name: a for name, a in values.items() if name.startswith("floor")}
     step = float(time_s[-1] - time_s[0]) / (len(time_s) - 1)
     if record is not None:
-        _refuse_other_ground(path, time_s - time_s[0], ground, record)
+        _refuse_other_ground(path, time_s, ground, record)
     for name, a in floors.items():
         share = _slow_share(ground, a, step)
         if share is not None and share < 0.5:
@@ -202,10 +205,13 @@ def check_floors(path, time_s, values, record=None):
 
 
 def _refuse_other_ground(path, time_s, ground, record):
-    own = np.interp(time_s, record.time_s, record.acceleration_m_s2, right=0.0)
-    factor = float(np.dot(own, ground) / max(np.dot(own, own), 1e-300))
-    off = float(np.max(np.abs(ground - factor * own)) / np.max(np.abs(ground)))
-    if factor <= 0.0 or off > NOT_THE_RECORD:
+    off = 1.0
+    for began in {0.0, float(time_s[0])}:  # times from the motion's first sample, or from a step
+        own = np.interp(time_s - began, record.time_s, record.acceleration_m_s2, right=0.0)
+        factor = float(np.dot(own, ground) / max(np.dot(own, own), 1e-300))
+        if factor > 0.0:
+            off = min(off, float(np.max(np.abs(ground - factor * own)) / np.max(np.abs(ground))))
+    if off > NOT_THE_RECORD:
         raise RecordError(
             f"{path}: its ground differs from record {record.name} by {100 * off:.0f} % of the "
             "peak; expected that record, scaled or not"

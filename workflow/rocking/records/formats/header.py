@@ -95,7 +95,7 @@ _MOVEMENT = re.compile(
 )
 _BRACKETED = re.compile(r"[(\[]([^()\[\]]+)[)\]]")
 _SUFFIX = re.compile(
-    r"(?<!\d)(?<!%)(?<!of)(?<!cent)[_\s,](%?\s?m?g|(?:m|cm|mm)_s2|(?:m|cm|mm)_s|\S*[/²]\S*|gal|counts?)$",
+    r"(?:(?<!\d)(?<!%)(?<!of)(?<!cent)[\s,]|_)(%?\s?m?g|(?:m|cm|mm)_s2|(?:m|cm|mm)_s|\S*[/²]\S*|gal|counts?)$",
     re.I,
 )
 _ONLY_ACCELERATION = re.compile(r"(?:a|acc[a-z]*)?", re.I)
