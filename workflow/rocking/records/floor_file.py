@@ -24,7 +24,7 @@ VERTICAL = "vertical"
 REFUSED_M, DOUBTED_M = 0.05, 0.005  # drift of a floor from the ground until the end
 SLOW_HZ = (0.1, 1.0)  # where a building of some storeys moves as its ground does
 LEAST_SHARE = 1e-4  # of the ground's velocity that lies there, for that to be judged
-COARSE = 200  # steps of print in a peak below which accelerations are coarse
+COARSE = 1000  # steps of print in a peak below which accelerations are coarse
 NOT_THE_RECORD = 0.02  # difference of the ground from a record, of its peak
 _FLOOR = re.compile(
     r"(?:floor|storey|story|level|piano|planta|etage|stock\w*|geschoss|f|l)[ _-]?(\d{1,2})", re.I
