@@ -162,7 +162,7 @@ class Case:
     @classmethod
     def chosen(
         cls,
-        sections: Mapping[str, Any],
+        given: Mapping[str, Any],
         model: str,
         mass_kg: float | None = None,
         law: str | PathLike = LAW_FILE,
@@ -172,7 +172,7 @@ class Case:
 
         Parameters
         ----------
-        sections : dict
+        given : mapping
             SECTIONS, and w3 for a model of bricks. Of a `part` the case is that part's alone.
         model : str
         mass_kg : float or None
@@ -180,7 +180,8 @@ class Case:
         law, fidelity : path
             Coefficients of the law of β; measured convergence.
         """
-        sections, kind = copy.deepcopy(dict(sections)), registry.model(model)
+        sections: dict[str, Any] = copy.deepcopy(dict(given))
+        kind = registry.model(model)
         sections["model"] = model
         if kind.walls != "bricks":
             sections.pop("w3", None)

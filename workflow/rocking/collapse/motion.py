@@ -318,7 +318,7 @@ class Motion:
 
     def _fit(self, case):
         """Refuse floor motions of others that a case would ignore, or has not; warn of scaling."""
-        floors = [name for name in self.floors[1] if name.startswith("floor")]
+        floors = [name for name in (self.floors or ((), ()))[1] if name.startswith("floor")]
         if self.of_chain or not floors:
             return
         if case.kind.two_way:

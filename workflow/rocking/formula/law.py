@@ -10,7 +10,6 @@ import json
 import math
 from dataclasses import dataclass
 from functools import lru_cache
-from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -146,7 +145,7 @@ class Estimate:
         )
 
 
-def estimate(case: "Case", measure: str = "pga_g", law: str | PathLike | None = None) -> "Estimate":
+def estimate(case: "Case", measure: str = "pga_g", law: str | Path | None = None) -> "Estimate":
     """Half collapse of a case by the formula, without a history.
 
     Parameters

@@ -151,8 +151,10 @@ def _factors(path, labels, columns, units):
         name = columns[found.index(None)]
         raise RecordError(f"{path}: column {name}: no units; state units, one of {known}")
     if len(set(found)) > 1:
-        raise RecordError(f"{path}: columns in {' and '.join(dict.fromkeys(found))}; expected one")
-    return [UNITS_M_S2[unit] for unit in found]
+        raise RecordError(
+            f"{path}: columns in {' and '.join(map(str, dict.fromkeys(found)))}; expected one"
+        )
+    return [UNITS_M_S2[str(unit)] for unit in found]
 
 
 def _times(text, found):

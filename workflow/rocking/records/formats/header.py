@@ -205,7 +205,7 @@ def heading_component(heading):
 
 def stated_counts(lines):
     """Return the numbers of samples that the lines declare, in order, each once."""
-    counts = {}
+    counts: dict[int, None] = {}
     for line in lines:
         words = plain(line[:LONG])
         for form in (_COUNT_BEFORE, _COUNT_AFTER):

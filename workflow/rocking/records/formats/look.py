@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..text import Text
 from .block import Block
 
 
@@ -37,7 +38,7 @@ class Layout:
 class Look:
     """A block under examination; `rows` is what is left of it."""
 
-    text: object
+    text: Text
     block: Block
     rows: list
     lines: list
