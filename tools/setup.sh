@@ -49,7 +49,7 @@ if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
   # before Snakemake reads what --configfile names, in which it would run code (rocking/start.py)
   printf '#!%s\nimport sys\n\nfrom rocking.start import main\n\nsys.exit(main())\n' \
     "$PWD/.venv/bin/python" > .venv/bin/snakemake
-  say "compiling the solvers"
+  say "compiling the solvers: one to two minutes on two free cores, longer on a loaded machine"
   # Python's own compiling too, of what runs import: the environment may forbid Python to keep it
   .venv/bin/python -m compileall -q smdof yade_scripts workflow/rocking
   env -u PYTHONDONTWRITEBYTECODE .venv/bin/python -m rocking.compile_ahead

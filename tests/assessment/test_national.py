@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from rocking.assessment import inputs, national, site
+from rocking.assessment.national import check_rows
 from rocking.configuration import config as configuration
 
 ROWS = [
@@ -85,3 +86,17 @@ def test_rows_that_are_no_hazard_are_refused_in_one_line(own, words):
     with pytest.raises(ValueError, match=words) as caught:
         inputs.check_demand(resolved)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("factor", "words"), [(10.0, "in tenths of g"), (9.81, "expected g"), (0.01, "expected g")]
+)
+def test_a_national_table_in_another_unit_is_refused(factor, words):
+    """An island's rows are the same at all return periods but little: 0.05 g printed as 0.5."""
+    rows = [
+        {"return_period_years": t, "ag_g": factor * ag, "f0": 2.7, "tc_star_s": 0.3}
+        for t, ag in ((30, 0.019), (50, 0.024), (475, 0.051), (2475, 0.075))
+    ]
+    with pytest.raises(ValueError, match=f"row 1: ag_g = .* at 30 years.*{words}"):
+        check_rows(rows)
+    check_rows([{**row, "ag_g": row["ag_g"] / factor} for row in rows])

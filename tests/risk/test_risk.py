@@ -325,3 +325,35 @@ def test_openquake_model_carries_the_same_distribution_in_both_forms():
                 x = np.geomspace(float(imls.get("minIML")), float(imls.get("maxIML")), 20)
                 p = stats.lognorm(sigma, scale=m * np.exp(-0.5 * sigma**2)).cdf(x)
             np.testing.assert_allclose(p, fit.probability(x), atol=2e-6)
+
+
+def test_equal_rates_at_the_low_end_are_one_point(tmp_path):
+    """Below the last of them the curve says nothing: 5 usable points, from 0.01."""
+    path = tmp_path / "hazard.csv"
+    path.write_text(
+        "pga_g,annual_rate\n0.002,0.01\n0.01,0.01\n0.05,7e-3\n0.1,3e-3\n0.2,8e-4\n0.4,1e-4\n"
+    )
+    found = read_hazard(path, 0.27)
+    np.testing.assert_allclose(found.intensity, [0.01, 0.05, 0.1, 0.2, 0.4])
+    path.write_text("pga_g,annual_rate\n0.01,0.01\n0.05,7e-3\n0.1,7e-3\n")
+    with pytest.raises(HazardError, match="expected it to fall"):
+        read_hazard(path, 0.27)
+
+
+@pytest.mark.parametrize(
+    ("measure", "factor"), [("pga_g", 981.0), ("pga_g", 9.81), ("pga_g", 1e-3), ("pgv_cm_s", 1e-2)]
+)
+def test_a_curve_in_another_unit_is_refused_at_either_end(tmp_path, measure, factor):
+    """A site of 0.25 g (25 cm/s) in 475 years, in gal, in m/s², in thousandths and in m/s."""
+    path, own = tmp_path / "hazard.csv", {"pga_g": 1.0, "pgv_cm_s": 100.0}[measure]
+    x, years = np.array([0.03, 0.1, 0.25, 0.45, 0.7]), np.array([20.0, 100.0, 475.0, 2475.0, 1e4])
+
+    def write(by):
+        rows = "".join(f"{by * a:g},{1 / t:g}\n" for a, t in zip(x, years, strict=True))
+        path.write_text(f"{measure},annual_rate\n" + rows)
+
+    write(own)
+    assert len(read_hazard(path, 0.27).intensity) == 5
+    write(own * factor)
+    with pytest.raises(HazardError, match="are the units right"):
+        read_hazard(path, 0.27)

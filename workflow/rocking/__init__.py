@@ -11,6 +11,14 @@ Names are loaded when they are asked for, so that `import rocking` stays quick.
 """
 
 import importlib
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:  # for type checkers: what is loaded when it is asked for
+    from rocking.collapse.case import Case, Variant
+    from rocking.collapse.curve import Curve, collapse_curve, collapse_curves, history
+    from rocking.collapse.history import History
+    from rocking.collapse.motion import Motion
+    from rocking.formula.law import Estimate, estimate
 
 _PUBLIC = {
     "Case": "collapse.case",
@@ -24,7 +32,18 @@ _PUBLIC = {
     "estimate": "formula.law",
     "history": "collapse.curve",
 }
-__all__ = list(_PUBLIC)
+__all__ = [
+    "Case",
+    "Curve",
+    "Estimate",
+    "History",
+    "Motion",
+    "Variant",
+    "collapse_curve",
+    "collapse_curves",
+    "estimate",
+    "history",
+]
 
 
 def __getattr__(name):

@@ -8,12 +8,13 @@ it. A variant is a name and what it changes, in the case and in the motion.
 import copy
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from numbers import Real
 from os import PathLike
 from typing import Any
 
+from rocking.collapse.frozen import frozen
 from rocking.configuration import config as configuration
 from rocking.configuration import refusals, schema
 from rocking.configuration.facade import WEAKEST, check_facade
@@ -28,6 +29,7 @@ from yade_scripts.model.part import part_of
 
 FIDELITY_FILE = LAW_FILE.with_name("fidelity.yaml")
 OF_THE_FACADE = {"facade", "return_wall", "w3", "model"}  # what makes it possible or not
+Given = str | PathLike | Mapping[str, Any]  # a configuration: its file, or values by key
 SECTIONS = ("facade", "part", "return_wall", "damping", "smdof", "numerics", "ida", "ensemble")
 
 
@@ -53,7 +55,7 @@ class Variant:
     name: str = "as configured"
     changes: Mapping[str, Any] = field(default_factory=dict)
     factors: Mapping[str, float] = field(default_factory=dict)
-    added: Mapping[str, Any] = field(default_factory=dict)
+    added: Mapping[str, Sequence[Mapping[str, Any]]] = field(default_factory=dict)
     motion: Mapping[str, Any] = field(default_factory=dict)
     about: Mapping[str, Any] = field(default_factory=dict)
 
@@ -74,7 +76,8 @@ class Case:
     Attributes
     ----------
     sections : dict
-        model, beta_s, and the sections of a configuration that a run depends on.
+        model, beta_s, and the sections of a configuration that a run depends on; frozen all the
+        way down. Cases of the same sections are equal.
 
     Examples
     --------
@@ -88,18 +91,23 @@ class Case:
     0.75
     """
 
-    sections: dict
+    sections: Mapping[str, Any]
 
-    def __post_init__(self):
-        """Check that there are sections."""
+    def __post_init__(self) -> None:
+        """Check that there are sections, and freeze a copy of them."""
         if not isinstance(self.sections, Mapping):
             raise TypeError(
                 f"Case of {type(self.sections).__name__}: expected Case.configured(model, …) or "
                 "Case.read(path)"
             )
+        object.__setattr__(self, "sections", frozen(self.sections))
+
+    def __hash__(self) -> int:
+        """Return the hash of what the case file would hold."""
+        return hash(self.to_json())
 
     @classmethod
-    def read(cls, path):
+    def read(cls, path: str | PathLike) -> "Case":
         """Read a case file, as the workflow writes them to `results/<run>/cases`.
 
         Raises
@@ -117,7 +125,7 @@ class Case:
         return cls(sections)
 
     @classmethod
-    def configured(cls, model, config=None):
+    def configured(cls, model: str, config: "Given | None" = None) -> "Case":
         """Return the case of a configuration.
 
         Parameters
@@ -149,12 +157,19 @@ class Case:
         return cls.chosen({key: resolved[key] for key in (*SECTIONS, "w3")}, model)
 
     @classmethod
-    def chosen(cls, sections, model, mass_kg=None, law=LAW_FILE, fidelity=FIDELITY_FILE):
+    def chosen(
+        cls,
+        given: Mapping[str, Any],
+        model: str,
+        mass_kg: float | None = None,
+        law: str | PathLike = LAW_FILE,
+        fidelity: str | PathLike = FIDELITY_FILE,
+    ) -> "Case":
         """Return the case of resolved sections, with what they leave open chosen.
 
         Parameters
         ----------
-        sections : dict
+        given : mapping
             SECTIONS, and w3 for a model of bricks. Of a `part` the case is that part's alone.
         model : str
         mass_kg : float or None
@@ -162,7 +177,8 @@ class Case:
         law, fidelity : path
             Coefficients of the law of β; measured convergence.
         """
-        sections, kind = copy.deepcopy(dict(sections)), registry.model(model)
+        sections: dict[str, Any] = copy.deepcopy(dict(given))
+        kind = registry.model(model)
         sections["model"] = model
         if kind.walls != "bricks":
             sections.pop("w3", None)
@@ -177,7 +193,7 @@ class Case:
         sections["numerics"], _ = choose(sections, model, read_fidelity(fidelity))
         return cls(sections).part(**part, law=law) if part else cls(sections)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         """Return one line: model, façade, building, β."""
         size = self["facade"]
         return (
@@ -186,7 +202,7 @@ class Case:
             f"β {self['beta_s']:.3g} s"
         )
 
-    def __getitem__(self, key):
+    def __getitem__(self, key: str) -> Any:
         """Return a section, or model or beta_s."""
         try:
             return self.sections[key]
@@ -195,21 +211,21 @@ class Case:
             raise KeyError(f"the case has no {key!r}; it has {known}") from None
 
     @property
-    def scene(self):
+    def scene(self) -> Mapping[str, Any]:
         """Return `sections` by its name of one version ago."""
         return self.sections
 
     @property
-    def model(self):
+    def model(self) -> str:
         """Name of the model."""
         return self.sections["model"]
 
     @property
-    def kind(self):
+    def kind(self) -> registry.Model:
         """What the model consists of."""
         return registry.model(self.model)
 
-    def get(self, key):
+    def get(self, key: str) -> Any:
         """Value of a dotted key.
 
         Raises
@@ -219,7 +235,7 @@ class Case:
         """
         return _place(self.sections, key)[0][key.rpartition(".")[2]]
 
-    def varied(self, variant):
+    def varied(self, variant: "Variant | Mapping[str, Any]") -> "Case":
         """Return the case with a variant's changes; β and numerics stay unless it names them.
 
         Parameters
@@ -272,7 +288,13 @@ class Case:
                 check_facade({**sections, "models": [sections["model"]]})
         return Case(sections)
 
-    def part(self, foot_m, held_m=None, hinge_m=None, law=LAW_FILE):
+    def part(
+        self,
+        foot_m: float,
+        held_m: float | None = None,
+        hinge_m: float | None = None,
+        law: str | PathLike = LAW_FILE,
+    ) -> "Case":
         """Return the case of a part of the façade, as a mechanism takes it, on the building.
 
         What lies above the foot overturns; with `held_m` it bends below that level and opens at
@@ -311,11 +333,11 @@ class Case:
             sections["beta_s"], _ = beta_and_range(sections, law)  # its range is said of the façade
         return Case(sections)
 
-    def calibrated(self, law=LAW_FILE):
+    def calibrated(self, law: str | PathLike = LAW_FILE) -> "Case":
         """Return the case with β by its law anew, after a change of what the law depends on."""
         return Case({**self.sections, "beta_s": beta_for(self.sections, law)})
 
-    def checked(self):
+    def checked(self) -> "Case":
         """Return the case, if the solvers have all that they need of it.
 
         Raises
@@ -333,13 +355,13 @@ class Case:
             raise ValueError(f"beta_s = {self['beta_s']}: expected a finite number (s)")
         return self
 
-    def to_json(self):
+    def to_json(self) -> str:
         """Text of the case file."""
         return json.dumps(self.sections, indent=1, sort_keys=True) + "\n"
 
 
 def _place(sections, key):
-    """Section of a dotted key, and its name in it."""
+    """Section of a dotted key, its name in it."""
     *path, name = str(key).split(".")
     part = sections
     for section in path:

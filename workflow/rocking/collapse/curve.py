@@ -5,8 +5,7 @@ import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from numbers import Real
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pandas as pd
@@ -15,11 +14,13 @@ from rocking.collapse import probability, search
 from rocking.collapse.case import Case
 from rocking.collapse.equivalent import SLOPE
 from rocking.collapse.history import History
+from rocking.collapse.limits import intensity, positive
 from rocking.collapse.motion import Motion
 from rocking.collapse.scan import Screen, scan_settings, seen_together
 from rocking.configuration import config as configuration
 from rocking.configuration import refusals, schema
 from rocking.records.reader import nearest
+from rocking.runtime.first_compilation import say_first_compilation
 from rocking.solver import runs
 from yade_scripts.model.motion import SIGNS
 
@@ -30,10 +31,12 @@ WHERE = {  # their keys in the configuration, whose limits hold
     **{key: f"ensemble.{key}" for key in OF_THE_ENSEMBLE},
     "from_g": "ida.start_g",
 }
-MOST_G = schema.whole()["properties"]["ida"]["properties"]["grid_g"]["items"]["maximum"]
+Direction = Literal["pos", "neg"]
+Solver = Literal["planar", "yade"]
+Search = Literal["scan", "climb", "crossings", "list"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Curve:
     """Outcomes of a case under a motion, by ascending intensity.
 
@@ -58,7 +61,21 @@ class Curve:
     found: Any = None
     wall_s: float = float("nan")
 
-    def __repr__(self):
+    def __eq__(self, other: object) -> bool:
+        """Tell whether it is of the same with the same outcomes, whatever the time it took."""
+        if not isinstance(other, Curve):
+            return NotImplemented
+        return self._facts == other._facts and self.table.equals(other.table)
+
+    def __hash__(self) -> int:
+        """Return the hash of what it is of and of the number of histories."""
+        return hash(self._facts)
+
+    @property
+    def _facts(self):
+        return self.model, self.record, self.direction, self.spread, len(self.table)
+
+    def __repr__(self) -> str:
         """Return one line: what it is of, histories, where it collapses."""
         found = self.summary()
         line = f"Curve {self.model} {self.record} {self.direction}: {self.runs} histories, "
@@ -69,26 +86,26 @@ class Curve:
         return line if math.isnan(half) else f"{line}, half collapse {half:.3f} g"
 
     @property
-    def pga_g(self):
+    def pga_g(self) -> np.ndarray:
         """Intensities that were run [g]."""
         return self.table["pga_g"].to_numpy(float)
 
     @property
-    def status(self):
+    def status(self) -> np.ndarray:
         """Outcome of each: "ok", "overturned" or "failed"."""
         return self.table["status"].to_numpy(object)
 
     @property
-    def runs(self):
+    def runs(self) -> int:
         """Number of histories."""
         return len(self.table)
 
     @cached_property
-    def probability(self):
+    def probability(self) -> pd.DataFrame:
         """Collapse probability by intensity: pga_g, probability, realisations."""
         return probability.from_scan(self.table, self.spread)
 
-    def summary(self, slope=SLOPE):
+    def summary(self, slope: float = SLOPE) -> dict[str, Any]:
         """Collapse intensities by name, as `tables/ida_collapse.csv` has them.
 
         Parameters
@@ -104,15 +121,22 @@ class Curve:
             year) [g], NaN where nothing fell; reversals, and the histories behind them.
             docs/collapse.md says what each means.
         """
-        _positive("slope", slope)
+        positive("slope", slope)
         none = pd.DataFrame()
         found = probability.summary(self.table, none, none, self.spread, slope)
         return {k: v.item() if isinstance(v, np.generic) else v for k, v in found.items()}
 
 
 def collapse_curve(
-    case, motion, direction="pos", *, solver="planar", search="scan", settings=None, **options
-):
+    case: Case,
+    motion: Motion,
+    direction: Direction = "pos",
+    *,
+    solver: Solver = "planar",
+    search: Search = "scan",
+    settings: Mapping[str, Any] | None = None,
+    **options: Any,
+) -> Curve:
     """Find where a case collapses under a motion.
 
     Parameters
@@ -162,7 +186,14 @@ def collapse_curve(
     return _curve(case, (motion, direction), seen, given, time.monotonic() - began)
 
 
-def collapse_curves(case, shaken, *, search="scan", settings=None, **options):
+def collapse_curves(
+    case: Case,
+    shaken: Sequence[tuple[Motion, Direction]],
+    *,
+    search: Search = "scan",
+    settings: Mapping[str, Any] | Sequence[Mapping[str, Any]] | None = None,
+    **options: Any,
+) -> list[Curve]:
     """`collapse_curve` of a case under some motions: what their searches ask for marches together.
 
     Faster than one curve after the other where searches ask for few histories at a time.
@@ -215,10 +246,11 @@ def run_by(solver, case, motion, direction, **options):
     """Outcomes at any amplitudes by a solver: an object with `seen` and `static_g`."""
     _shaken(case, motion, direction)
     if (fraction := options.get("fraction")) is not None:
-        _positive("fraction", fraction, 1.0)
+        positive("fraction", fraction, 1.0)
     if solver == "planar":
         if not case.kind.scanned:
             raise ValueError(f"model {case.model}: expected return walls, for the planar solver")
+        say_first_compilation()
         before = motion.before(case, direction)
         time_s, columns = motion.columns(case)
         return Screen(case.sections, time_s, columns, direction, before=before, **options)
@@ -254,7 +286,7 @@ def _known(settings, of_case, search):
         if not levels.size:
             raise ValueError("search = 'list': expected settings={'pga_g': [0.1, 0.2]} (g)")
         for level in levels.tolist():
-            _intensity("settings['pga_g']", level)
+            intensity("settings['pga_g']", level)
         return {**settings, "pga_g": levels}
     return dict(settings)
 
@@ -267,19 +299,6 @@ def _allowed(key, place, value):
     except schema.ConfigError as error:
         said = str(error).removeprefix("config: ").removeprefix(place)
         raise ValueError(f"settings[{key!r}]{said.removeprefix(key)}") from None
-
-
-def _positive(name, value, most=math.inf):
-    """Refuse what is no finite number above 0."""
-    good = isinstance(value, Real) and not isinstance(value, bool) and 0.0 < float(value) < math.inf
-    if not good or value > most:
-        limit = "" if most == math.inf else f" and ≤ {most:g}"
-        raise ValueError(f"{name} = {value!r}: expected a number > 0{limit}")
-
-
-def _intensity(name, value):
-    """Refuse what is no peak acceleration [g]."""
-    _positive(name, value, MOST_G)
 
 
 def strategy(name, case, outcomes, settings):
@@ -301,7 +320,15 @@ def strategy(name, case, outcomes, settings):
     raise ValueError(f"search = {name!r}: expected scan, climb, crossings or list")
 
 
-def history(case, motion, direction="pos", pga_g=0.1, *, solver="planar", sample_s=0.01):
+def history(
+    case: Case,
+    motion: Motion,
+    direction: Direction = "pos",
+    pga_g: float = 0.1,
+    *,
+    solver: Solver = "planar",
+    sample_s: float = 0.01,
+) -> History:
     """One history of a case under a motion at one intensity.
 
     Parameters
@@ -331,8 +358,8 @@ def history(case, motion, direction="pos", pga_g=0.1, *, solver="planar", sample
     >>> found.status, bool(found.table["d_over_b"].abs().max() <= found.d_over_b)
     ('ok', True)
     """
-    _intensity("pga_g", pga_g)
-    _positive("sample_s", sample_s)
+    intensity("pga_g", pga_g)
+    positive("sample_s", sample_s)
     if solver == "yade":
         from rocking.collapse.yade import yade_history
 

@@ -1,11 +1,12 @@
 """One history, by whichever solver."""
 
+import math
 from dataclasses import dataclass
 
 import pandas as pd
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class History:
     """One history.
 
@@ -25,6 +26,21 @@ class History:
     status: str
     broken: int | None = None
 
-    def __repr__(self):
+    def __eq__(self, other: object) -> bool:
+        """Tell whether outcome, peak and every row are the same."""
+        if not isinstance(other, History):
+            return NotImplemented
+        return self._facts == other._facts and self.table.equals(other.table)
+
+    def __hash__(self) -> int:
+        """Return the hash of outcome, peak and number of rows."""
+        return hash(self._facts)
+
+    @property
+    def _facts(self):
+        peak = None if math.isnan(self.d_over_b) else self.d_over_b
+        return peak, self.status, self.broken, len(self.table)
+
+    def __repr__(self) -> str:
         """Return one line: outcome, peak, rows."""
         return f"History {self.status}: peak d/b {self.d_over_b:.3f}, {len(self.table)} rows"

@@ -8,9 +8,10 @@ from dataclasses import dataclass, field, replace
 from numbers import Real
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rocking.records import Record, RecordError, load, read_record
 from rocking.records.floor_file import read_floor_file
@@ -20,12 +21,15 @@ from rocking.shipped import found, shipped
 from yade_scripts.model import floor_motions
 from yade_scripts.model.motion import amplitude
 
+if TYPE_CHECKING:
+    from rocking.collapse.case import Case, Variant
+
 TABLE = shipped("config/records.tsv")
 LEAST = {"vertical": -math.inf, "first_pga_g": 0.0, "pause_s": 0.0}  # numbers of a variant
 PAUSE_S = 10.0  # between two shocks, beyond the free vibration of the first (smdof.tail_s)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Motion:
     """A motion of the ground, scaled to any peak acceleration.
 
@@ -77,7 +81,7 @@ class Motion:
                 "Motion.read(path) or, of samples in memory, Motion.sampled(acceleration, dt_s)"
             )
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         """Return one line: name, samples, peak, what comes before."""
         if self.floors is not None:
             return f"Motion {self.name}: floor motions, {len(self.floors[0])} samples"
@@ -89,8 +93,32 @@ class Motion:
             line += f", after {self.first.name} at {self.first_pga_g:g} g"
         return line
 
+    def __eq__(self, other: object) -> bool:
+        """Tell whether two motions shake alike: names, samples, steps, and what comes before."""
+        return self._content == other._content if isinstance(other, Motion) else NotImplemented
+
+    def __hash__(self) -> int:
+        """Return the hash of what `==` compares."""
+        return hash(self._content)
+
+    @property
+    def _content(self):
+        record, floors = self.record, self.floors
+        own: tuple = (self.name, self.first, self.first_pga_g, self.pause_s, self.of_chain)
+        if record is not None:
+            up = record.vertical_m_s2
+            own += (
+                record.dt_s,
+                _bytes(record.acceleration_m_s2),
+                None if up is None else _bytes(up),
+            )
+        if floors is not None:
+            columns = ((name, _bytes(values)) for name, values in floors[1].items())
+            own += (_bytes(floors[0]), *columns)
+        return own
+
     @classmethod
-    def named(cls, name, table=TABLE, **how):
+    def named(cls, name: str, table: str | PathLike = TABLE, **how: Any) -> "Motion":
         """Motion of one row of a records table.
 
         Parameters
@@ -114,7 +142,7 @@ class Motion:
         return cls(load(name, str(found(table)), **how))
 
     @classmethod
-    def read(cls, path, **how):
+    def read(cls, path: str | PathLike, **how: Any) -> "Motion":
         """Motion of an accelerogram's file.
 
         Parameters
@@ -133,7 +161,9 @@ class Motion:
         return cls(read_record(str(path), **how))
 
     @classmethod
-    def sampled(cls, acceleration, dt_s, units="m/s2", name="motion"):
+    def sampled(
+        cls, acceleration: ArrayLike, dt_s: float, units: str = "m/s2", name: str = "motion"
+    ) -> "Motion":
         """Motion of samples in memory, as an instrument or another program gives them.
 
         Parameters
@@ -221,11 +251,11 @@ class Motion:
         return cls(floors=floor_motions.read(path), label=name, file=str(path), of_chain=True)
 
     @property
-    def name(self):
+    def name(self) -> str:
         """Name of the record, or of the floor motions."""
         return self.record.name if self.record is not None else self.label
 
-    def varied(self, variant):
+    def varied(self, variant: "Variant") -> "Motion":
         """Return the motion with a variant's changes.
 
         Its `motion` may hold: vertical, the share of the vertical motion that counts; surrogate,
@@ -267,7 +297,7 @@ class Motion:
             out = replace(out, **{key: given.pop(key)})
         return out
 
-    def columns(self, case):
+    def columns(self, case: "Case") -> tuple[np.ndarray, dict[str, np.ndarray]]:
         """Times and accelerations of ground and floors for a factor of one, without a first shock.
 
         Returns
@@ -288,13 +318,13 @@ class Motion:
 
     def _fit(self, case):
         """Refuse floor motions of others that a case would ignore, or has not; warn of scaling."""
-        floors = [name for name in self.floors[1] if name.startswith("floor")]
+        floors = [name for name in (self.floors or ((), ()))[1] if name.startswith("floor")]
         if self.of_chain or not floors:
             return
         if case.kind.two_way:
             raise ValueError(
-                f"{self.file or self.name}: model {case.model} computes its floors itself and would "
-                "ignore these; expected a record, or a model that is driven by floors, as W2"
+                f"{self.file or self.name}: model {case.model} computes its floors itself and "
+                "would ignore these; expected a record, or a model that is driven by floors, as W2"
             )
         if case.kind.chain and len(floors) != case["smdof"]["n_dof"]:
             raise ValueError(
@@ -317,6 +347,10 @@ class Motion:
         time_s, columns = self.first.columns(case)
         factor = amplitude(columns["ground"], direction, self.first_pga_g)
         return time_s, floor_motions.scaled(columns, factor), self.pause_s
+
+
+def _bytes(values):
+    return np.ascontiguousarray(values, dtype=float).tobytes()
 
 
 def _check_floors(floors):

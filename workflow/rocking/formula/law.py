@@ -11,12 +11,16 @@ import math
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from scipy.special import ndtr
 
 from rocking.formula import groups
 from rocking.formula.groups import OutsideError
 from rocking.shipped import shipped
+
+if TYPE_CHECKING:
+    from rocking.collapse.case import Case
 
 FILE = shipped("config/formula.json")
 MEASURES = {
@@ -141,7 +145,7 @@ class Estimate:
         )
 
 
-def estimate(case, measure="pga_g", law=None):
+def estimate(case: "Case", measure: str = "pga_g", law: str | Path | None = None) -> "Estimate":
     """Half collapse of a case by the formula, without a history.
 
     Parameters

@@ -85,6 +85,11 @@ def markdown(heading, rows):
     return [first, "|---" * len(heading) + "|", *others]
 
 
+def _source(record):
+    """Where a motion of tables/records.csv comes from."""
+    return "recorded" if record["source"] == "file" else record["source"]
+
+
 def records(data, tables):
     """Table 1 beside the run's motions."""
     rows = []
@@ -94,7 +99,7 @@ def records(data, tables):
         source = NOT_RUN
         if made is not None and name in made.index:
             one = made.loc[name]
-            source = "recorded" if one["source"] == "file" else one["source"]
+            source = _source(one)
             columns = ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
             cells = [f"{one[c]:.3g} ({p:g})" for c, p in zip(columns, paper, strict=True)]
         rows.append([name, source, *cells])
@@ -117,7 +122,10 @@ def errors(data, tables):
 
 
 def collapse(data, tables):
-    """Figure 9 in numbers: the PGA by which curves are compared, half collapse beside it."""
+    """Figure 9 in numbers: the PGA by which curves are compared, half collapse beside it.
+
+    With the source of each curve's motion: a surrogate's is none of the study's.
+    """
     table = tables.get("ida_collapse")
     if table is None:
         return []
@@ -126,6 +134,9 @@ def collapse(data, tables):
         half=half_collapse(table),
         curve=table["record"] + table["direction"].map({"pos": "+", "neg": "−"}),
     )
+    made = tables.get("records")
+    sources = {} if made is None else {one["record"]: _source(one) for _, one in made.iterrows()}
+    motions = dict(zip(table["curve"], table["record"], strict=True))
     wide = table.pivot(index="curve", columns="model", values=["pga", "half"])
     models = list(dict.fromkeys(table["model"]))
     both = "pga_equivalent_g" in table
@@ -137,8 +148,8 @@ def collapse(data, tables):
             one, half = (wide.loc[curve, (of, model)] for of in ("pga", "half"))
             beside = f" ({half:.3f})" if both else ""
             cells.append("–" if math.isnan(one) else f"{one:.3f}{beside}")
-        rows.append([curve, *cells])
-    return markdown([said, *models], rows)
+        rows.append([curve, sources.get(motions[curve], NOT_RUN), *cells])
+    return markdown([said, "motion", *models], rows)
 
 
 BLOCKS = {"records": records, "wme": errors, "collapse": collapse}

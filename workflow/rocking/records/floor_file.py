@@ -12,9 +12,10 @@ import warnings
 import numpy as np
 
 from .errors import RecordError
+from .formats.captions import TIME_UNITS
 from .formats.columns import uniform_step
 from .formats.header import heading_unit
-from .formats.layout import TIME_UNITS, layout
+from .formats.layout import layout
 from .record import UNITS_M_S2, check_plausible, integrate, unit_name
 from .text import read_text
 
@@ -23,7 +24,7 @@ VERTICAL = "vertical"
 REFUSED_M, DOUBTED_M = 0.05, 0.005  # drift of a floor from the ground until the end
 SLOW_HZ = (0.1, 1.0)  # where a building of some storeys moves as its ground does
 LEAST_SHARE = 1e-4  # of the ground's velocity that lies there, for that to be judged
-COARSE = 200  # steps of print in a peak below which accelerations are coarse
+COARSE = 1000  # steps of print in a peak below which accelerations are coarse
 NOT_THE_RECORD = 0.02  # difference of the ground from a record, of its peak
 _FLOOR = re.compile(
     r"(?:floor|storey|story|level|piano|planta|etage|stock\w*|geschoss|f|l)[ _-]?(\d{1,2})", re.I
@@ -150,8 +151,10 @@ def _factors(path, labels, columns, units):
         name = columns[found.index(None)]
         raise RecordError(f"{path}: column {name}: no units; state units, one of {known}")
     if len(set(found)) > 1:
-        raise RecordError(f"{path}: columns in {' and '.join(dict.fromkeys(found))}; expected one")
-    return [UNITS_M_S2[unit] for unit in found]
+        raise RecordError(
+            f"{path}: columns in {' and '.join(map(str, dict.fromkeys(found)))}; expected one"
+        )
+    return [UNITS_M_S2[str(unit)] for unit in found]
 
 
 def _times(text, found):
@@ -173,12 +176,15 @@ def check_floors(path, time_s, values, record=None):
     ground = values[GROUND]
     for name, a in values.items():
         if not np.any(a):
-            raise RecordError(f"{path}: column {name} is zero throughout")
+            raise RecordError(
+                f"{path}: column {name} is zero throughout; expected absolute accelerations, of "
+                "the ground too"
+            )
         check_plausible(a, "m/s2", f"{path}: column {name}")
     floors = {name: a for name, a in values.items() if name.startswith("floor")}
     step = float(time_s[-1] - time_s[0]) / (len(time_s) - 1)
     if record is not None:
-        _refuse_other_ground(path, time_s - time_s[0], ground, record)
+        _refuse_other_ground(path, time_s, ground, record)
     for name, a in floors.items():
         share = _slow_share(ground, a, step)
         if share is not None and share < 0.5:
@@ -201,10 +207,13 @@ def check_floors(path, time_s, values, record=None):
 
 
 def _refuse_other_ground(path, time_s, ground, record):
-    own = np.interp(time_s, record.time_s, record.acceleration_m_s2, right=0.0)
-    factor = float(np.dot(own, ground) / max(np.dot(own, own), 1e-300))
-    off = float(np.max(np.abs(ground - factor * own)) / np.max(np.abs(ground)))
-    if factor <= 0.0 or off > NOT_THE_RECORD:
+    off = 1.0
+    for began in {0.0, float(time_s[0])}:  # times from the motion's first sample, or from a step
+        own = np.interp(time_s - began, record.time_s, record.acceleration_m_s2, right=0.0)
+        factor = float(np.dot(own, ground) / max(np.dot(own, own), 1e-300))
+        if factor > 0.0:
+            off = min(off, float(np.max(np.abs(ground - factor * own)) / np.max(np.abs(ground))))
+    if off > NOT_THE_RECORD:
         raise RecordError(
             f"{path}: its ground differs from record {record.name} by {100 * off:.0f} % of the "
             "peak; expected that record, scaled or not"
@@ -212,7 +221,7 @@ def _refuse_other_ground(path, time_s, ground, record):
 
 
 def _slow_share(ground, floor, step):
-    """Part of the ground's slow velocity that a floor has, 1 of an absolute motion; None: too little.
+    """Part of the ground's slow velocity that a floor has, 1 if absolute; None: too little.
 
     Least squares over frequencies of `SLOW_HZ`, where a building follows its ground.
     """

@@ -26,7 +26,8 @@ _PER_S = r"\s*(?:/\s*s(?:ec(?:ond)?s?)?|[ .*]s\s*(?:\^|\*\*)?\s*-1|_s|\s+per\s+s
 _SPELLINGS = {
     "length/s2": rf"{_LENGTH}{_PER_S2}",
     "g/10": r"g\s*/\s*10|0?\.1\s*\*?\s*g|tenths?\s+of\s+(?:a\s+)?g",
-    "mg": r"mg'?s?|milli-?\s*g'?s?|g\s*/\s*1000|0?\.001\s*\*?\s*g|1\.?0?e-0?3\s*\*?\s*g|10\s*\^?-3\s*\*?\s*g",
+    "mg": r"mg'?s?|milli-?\s*g'?s?|g\s*/\s*1000|0?\.001\s*\*?\s*g"
+    r"|1\.?0?e-0?3\s*\*?\s*g|10\s*\^?-3\s*\*?\s*g",
     "%g": r"%\s*(?:of\s+)?g|g\s*%|per\s?cent\s*(?:of\s+)?g|pct\s*g|0?\.01\s*\*?\s*g|g\s*/\s*100",
     "g": r"g'?s?|g\s*units?",
     "cm/s2": r"gals?",

@@ -17,7 +17,7 @@ from rocking.figures.panels import common_legend, plain_log, ticks
 from rocking.runtime.script import run
 from rocking.tables import read_frame
 
-LOG_RATIO = 8.0  # between the strongest and the weakest model of a record
+LOG_RATIO = 4.0  # between the strongest and the weakest model of a panel: the others are squeezed
 LABEL = "PGA [g]"
 STATIC = "; static λ [-]"  # on the same axis: the acceleration, over g, that holds the façade there
 BESIDE = (1.06, 0.0, 0.2, 1.0)  # place of the probability, over the panel's width and height
@@ -39,16 +39,12 @@ def main(job):
         [] if facade["hinges_m"] or facade["courses"] else [None]
     )
     label = LABEL + (STATIC if pushovers else "")
-    shown = {r: [highest(row) for key, row in rows.items() if key[1] == r] for r in p.records}
-    shown = {r: [g for g in values if np.isfinite(g)] or [1.0] for r, values in shown.items()}
-    # bonded façades may stand so much that the others vanish
-    logarithmic = any(max(values) > LOG_RATIO * min(values) for values in shown.values())
     for i, record in enumerate(p.records):
-        top = 1.08 * max(shown[record])
-        own = [table["pga_g"].min() for key, table in curves.items() if key[1] == record]
-        least = min(own, default=0.2 * min(shown[record]))
         for j, direction in enumerate(p.directions):
-            axis = axes[i, j]
+            axis, panel = axes[i, j], (record, direction)
+            shown = [highest(row) for key, row in rows.items() if key[1:] == panel]
+            shown = [g for g in shown if np.isfinite(g)] or [1.0]
+            top = 1.08 * max(shown)
             beside = axis.inset_axes(BESIDE, sharey=axis)
             for path in pushovers:
                 draw_pushover(axis, path, facade)
@@ -62,9 +58,10 @@ def main(job):
             sign = style.SIGNS[direction]
             axis.set_title(f"{titles[record]}, direction {sign}", loc="left")
             axis.set(xlim=(0, 1.0), ylim=(0, top), ylabel=label if j == 0 else None)
-            if logarithmic:
+            # bonded façades may stand so much that the others vanish
+            if max(shown) > LOG_RATIO * min(shown):
                 axis.set_yscale("log")
-                axis.set_ylim(0.85 * least, 1.1 * top)
+                axis.set_ylim(0.85 * lowest(panel, scans, curves, min(shown)), 1.1 * top)
                 plain_log(axis.yaxis, (1.0, 2.0, 5.0))
             beside.set(xlim=(-0.6, len(models) - 0.4))
             beside.grid(False)
@@ -79,6 +76,12 @@ def main(job):
     more = symbols(bool(scans), bool(scans) and shares)
     common_legend(figure, more=more, loc="outside upper center", ncols=3 if shape[1] == 1 else 6)
     style.save(figure, job.output, job.input.facts)
+
+
+def lowest(panel, scans, curves, least):
+    """Lowest PGA that was run in a panel, by either solver; a fifth of `least` without one."""
+    tables = [table for key, table in (*scans.items(), *curves.items()) if key[1:] == panel]
+    return min((table["pga_g"].min() for table in tables), default=0.2 * least)
 
 
 run(main, globals())

@@ -35,7 +35,7 @@ WANTS = {  # what each is, in a refusal of a file that is stated to be one
     "geonet": "16 lines of text, 4 of integers, 6 of reals, then accelerations in mm/s²",
     "esm": "lines 'KEY: value' from EVENT_NAME, then one acceleration a line",
     "cosmos": "a first line with '(Format v… with … text lines)'",
-    "csmip": "a text heading with the component, integers, reals, then 'POINTS OF ACCEL DATA' or pairs",
+    "csmip": "a text heading, integers, reals, then 'POINTS OF ACCEL DATA' or pairs",
     "smc": "11 lines of text from '2 CORRECTED ACCELEROGRAM', 48 integers, 50 reals",
     "knet": "17 lines from 'Origin Time', then counts",
     "packed": "a first line 'ROCKING MOTIONS 1'",

@@ -81,7 +81,9 @@ def read_block(text):
     last = len(lines)
     while last > first and (not lines[last - 1].strip() or _footer(lines[last - 1])):
         last -= 1
-    rows, numbers, gaps = [], [], {}
+    rows: list[list[str]] = []
+    numbers: list[int] = []
+    gaps: dict[int, list[str]] = {}
     words: list[str] | None = None
     for number in range(first, last + 1):
         line = lines[number - 1]

@@ -13,9 +13,10 @@ import numpy as np
 
 from ..record import unit_name
 from .block import once
+from .captions import TIME_UNITS
 from .channel import Channel
 from .header import Said, heading_component, heading_unit, stated_steps, stated_unit
-from .layout import TIME_UNITS, kind_of, layout
+from .layout import kind_of, layout
 
 __all__ = ["kind_of", "read_columns", "read_single", "read_wrapped", "uniform_step"]
 

@@ -155,7 +155,8 @@ def _older(text, first, label):
 
 def _older_heading(text, first):
     """Number of points, length [s], (unit, peak) and the line of the integers."""
-    count, length_s, unit, peak = 0, 0.0, None, (None, 0.0, 0.0)
+    count, length_s, unit = 0, 0.0, None
+    peak: tuple[float | None, float, float] = (None, 0.0, 0.0)
     for number in range(first, min(first + HEADING, len(text.lines)) + 1):
         line = text.lines[number - 1][:200]
         points, units = _POINTS.search(line), _UNITS.match(line.strip())

@@ -28,8 +28,8 @@ _STEP_WORD = re.compile(
 )
 _RATE_WORD = re.compile(
     rf"{_SAMPLE}\w*[ _.-]*(?:rate\b|freq|frek|hizi)|abtastrate|abtastfrequenz"
-    rf"|(?:\brate\b|freq\w*|frek\w*|\bvel\w*|taux|tasso|tasa|taxa|cadence)[ ._-]*(?:\w{{1,3}}[ ._'-]+)?"
-    rf"{_SAMPLE}"
+    rf"|(?:\brate\b|freq\w*|frek\w*|\bvel\w*|taux|tasso|tasa|taxa|cadence)"
+    rf"[ ._-]*(?:\w{{1,3}}[ ._'-]+)?{_SAMPLE}"
 )
 _PER_SECOND = re.compile(
     _BARE + rf"\s*(?:sps\b|(?:{_SAMPLE}\w*|pts|points?|punt[io]s?|punkte?|proben|values?|spl)\s*"
@@ -95,7 +95,7 @@ _MOVEMENT = re.compile(
 )
 _BRACKETED = re.compile(r"[(\[]([^()\[\]]+)[)\]]")
 _SUFFIX = re.compile(
-    r"(?<!\d)(?<!%)(?<!of)(?<!cent)[_\s,](%?\s?m?g|(?:m|cm|mm)_s2|(?:m|cm|mm)_s|\S*[/²]\S*|gal|counts?)$",
+    r"(?:(?<!\d)(?<!%)(?<!of)(?<!cent)[\s,]|_)(%?\s?m?g|(?:m|cm|mm)_s2|(?:m|cm|mm)_s|\S*[/²]\S*|gal|counts?)$",
     re.I,
 )
 _ONLY_ACCELERATION = re.compile(r"(?:a|acc[a-z]*)?", re.I)
@@ -205,7 +205,7 @@ def heading_component(heading):
 
 def stated_counts(lines):
     """Return the numbers of samples that the lines declare, in order, each once."""
-    counts = {}
+    counts: dict[int, None] = {}
     for line in lines:
         words = plain(line[:LONG])
         for form in (_COUNT_BEFORE, _COUNT_AFTER):

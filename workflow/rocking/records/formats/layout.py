@@ -8,80 +8,19 @@ open is a question of one line.
 """
 
 import re
-from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..record import MAX_DT_S, MIN_DT_S
 from ..text import check_last
-from .block import MAX_COLUMNS, Block, once, read_block, values
-from .header import heading_unit, stated_channels, stated_counts, whole_numbers
+from .block import MAX_COLUMNS, once, read_block, values
+from .captions import COMPONENT, TIME, labels_of
+from .declared import MOST, declaration, divides
+from .header import stated_channels, stated_counts, whole_numbers
+from .look import Layout, Look
+from .neighbours import closer
 
-MOST = 12  # channels one after another
-TIME_UNITS = {
-    **dict.fromkeys(("s", "sec", "secs", "second", "seconds", "sek", "segundos", "secondi"), 1.0),
-    **dict.fromkeys(("ms", "msec", "milliseconds"), 1e-3),
-}
 LONG_LINE = 4  # numbers a line from which accelerations in a row are usual
 FEW_LINES = 30  # below it the places along a line differ by chance
-ALIKE = 0.8  # ratio of mean differences that counts as the same
-CLOSER = 1.3  # ratio of neighbours' differences across to down, or down to across, that decides
-_TIME = re.compile(
-    r"\W*(time\w*|zeit|temps|tempo|tiempo|zaman|sec|secs|seconds?|ms|t\W*[(\[]\s*m?s\w*)(?![\w-])",
-    re.I,
-)
-_COMPONENT = re.compile(
-    r"(?i)(n-?s|e-?w|u-?d|w-?e|s-?n|[nsewuzxyltv]|up|north\w*|south\w*|east\w*|west\w*|nord|sud|est"
-    r"|ovest|ost|norte|sur|este|oeste|vert\w*|long\w*|trans\w*|radial|[rt]|h[12nle]\w*"
-    r"|(ch|can|kan)\w*[-.]?\d*|[ns]\d+[ew]|acc\w*|ace\w*|a[xyz_]\w*|\d{1,3}\s*(deg\w*|°))\W*(?:[ (\[_,/].*)?"
-)
-
-
-@dataclass(frozen=True)
-class Layout:
-    """What a block is.
-
-    Attributes
-    ----------
-    kind : str
-        Name of a format: "csv", "two-column", "columns", "wrapped" or "single-column".
-    block : Block
-    channels : list of (label, values, line)
-        With the captions that the file has, empty where it has none.
-    time_s : ndarray or None
-        Times as printed, before their unit counts; caption and cells of them in `time`.
-    time : (str, list)
-    declared : (int or None, float or None)
-        Number of samples and step of a first line of numbers.
-    """
-
-    kind: str
-    block: Block
-    channels: list
-    time_s: np.ndarray | None = None
-    time: tuple = ("", [])
-    declared: tuple = (None, None)
-
-
-@dataclass
-class _Look:
-    """A block under examination; `rows` is what is left of it."""
-
-    text: object
-    block: Block
-    rows: list
-    lines: list
-    gaps: dict
-    counts: list
-    declared: tuple = (None, None)
-    x: np.ndarray = field(default_factory=lambda: np.empty(0))
-
-    @property
-    def widths(self):
-        return [len(row) for row in self.rows]
-
-    def error(self, message, row=0):
-        return self.text.error(self.lines[row], message)
 
 
 def kind_of(text):
@@ -99,73 +38,14 @@ def layout(text, as_columns=None):
     block = read_block(text)
     if block is None:
         return None
-    look = _Look(text, block, block.rows, block.lines, block.gaps, stated_counts(block.heading))
-    _declaration(look)
+    look = Look(text, block, block.rows, block.lines, block.gaps, stated_counts(block.heading))
+    declaration(look)
     look.x = values(text, look.rows, look.lines)
     for decide in (_interleaved, _segments, _table, _in_a_row):
         found = decide(look, as_columns)
         if found:
             return found
     raise AssertionError("the last one decides")
-
-
-# ---- a first line of count and step ----
-
-
-def _declaration(look):
-    """Take a count, with a step or without, off the first lines of numbers."""
-    for top in (1, 2):
-        taken = [cell for row in look.rows[:top] for cell in row]
-        if len(look.rows) < top + 2 or len(taken) > 4:
-            break
-        counts = [int(cell) for cell in taken if re.fullmatch(r"\d{2,9}", cell)]
-        rest = look.rows[top:]
-        total, many = sum(map(len, rest)), len(rest)
-        fits = [c for c in counts if c in (many, total) or (total == 2 * c and c >= 10)]
-        fits += [c for c in counts if c >= 10 and c not in fits and _parts(total, c)]
-        others = [float(cell) for cell in taken]
-        if fits:
-            others.remove(float(fits[0]))
-            steps = [v if v <= MAX_DT_S else 1.0 / v for v in others if v > 0.0]
-            steps = [v for v in steps if MIN_DT_S <= v <= MAX_DT_S]
-            look.declared = fits[0], steps[0] if steps else None
-            look.counts = [fits[0]]
-            look.rows, look.lines = rest, look.lines[top:]
-            look.gaps = {at - top: said for at, said in look.gaps.items() if at > top}
-            return
-    _refuse_lost_declaration(look)
-
-
-def _parts(total, count):
-    return total % count == 0 and 2 <= total // count <= MOST
-
-
-def _refuse_lost_declaration(look):
-    """Refuse a first line that reads as a count or a step, and fits nothing that follows."""
-    row, rest = look.rows[0], look.rows[1:12]
-    if len(rest) < 3 or look.block.separator:
-        return
-    whole = re.compile(r"\d+")
-    bare = [bool(whole.fullmatch(cell)) for cell in row]
-    after = [bool(whole.fullmatch(cell.lstrip("-+"))) for other in rest for cell in other]
-    odd = len(row) != len(rest[0]) and len({len(other) for other in rest}) == 1
-    if len(row) <= 2 and bare[0] and int(row[0]) >= 10 and not any(after) and (odd or sum(bare)):
-        total, many = sum(map(len, look.rows)) - len(row), len(look.rows) - 1
-        raise look.error(
-            f"the line {' '.join(row)!r} reads as a number of samples, but {many} lines with "
-            f"{total} numbers follow"
-        )
-    step = float(row[0])
-    if len(row) == 1 and MIN_DT_S <= step <= MAX_DT_S and len(row[0].rstrip("0").lstrip("0.")) <= 2:
-        x = np.array([float(cell) for other in rest for cell in other])
-        shape = {len(c.partition(".")[2]) for other in rest for c in other}
-        other_print = len(shape) == 1 and len(row[0].partition(".")[2]) not in shape
-        jump = abs(step - x[0]) > 20.0 * np.max(np.abs(np.diff(x)), initial=0.0)
-        if (other_print and jump) or odd:
-            raise look.error(
-                f"the first number is {row[0]}: a time step, or an acceleration? Write "
-                f"'DT= {row[0]}' there, or delete it"
-            )
 
 
 # ---- times ----
@@ -211,7 +91,7 @@ def _interleaved(look, as_columns):
             continue
         table = look.x.reshape(-1, period)
         flat = [cell for row in look.rows for cell in row]
-        labels = _labels(look.block, period)
+        labels = labels_of(look.block, period)
         if set(widths) == {1} and _counts_up(flat[::period]):
             continue
         _fits(look, len(table))
@@ -296,37 +176,6 @@ def _spans(look, starts):
 # ---- columns ----
 
 
-def _labels(block, columns):
-    """Return the captions of columns, empty strings where no line names them."""
-    lines = [line for line in block.heading if line.strip()][-3:]
-    for place, line in enumerate(reversed(lines)):
-        words = line.lstrip("#%!*/ \t")
-        marks = (block.separator, "\t", ";", ",", "|", None)
-        split = [
-            block.cells(words.strip()),
-            re.split(r"\s{2,}", words.strip()),
-            *(words.split(m) for m in marks),
-        ]
-        found = next((c for c in split if len(c) == columns), None)
-        if found is None:
-            if place and re.search(r"\w", line):
-                break
-            continue
-        found = [cell.strip("\"' ")[:80] for cell in found]
-        if columns > 1 and any(re.search(r"[=:]$|^[^a-z%°]+$|^of$", c, re.I) for c in found if c):
-            break  # a sentence of as many words
-        above = list(reversed(lines))[place + 1 :]
-        if above and all(
-            heading_unit(c).unit or c.strip("()[]").lower() in TIME_UNITS for c in found
-        ):
-            for s in (block.separator, None):
-                names = [c.strip("\"' ") for c in above[0].lstrip("#%!*/ \t").split(s)]
-                if len(names) == columns:
-                    return [f"{n} [{u.strip('()[]')}]" for n, u in zip(names, found, strict=True)]
-        return found
-    return [""] * columns
-
-
 def _regular(look):
     """Refuse lines of different lengths; a short last one is left to the caller."""
     width = look.widths[0]
@@ -340,10 +189,10 @@ def _table(look, as_columns):
     width = look.widths[0]
     if width < 2 or as_columns is False and not _rises(look.x[::width]):
         return None
-    labels = _labels(look.block, width)
+    labels = labels_of(look.block, width)
     whole = all(count == width for count in look.widths[:-1])
     times = [] if not whole else _times(look, labels, width)
-    if not times and not _TIME.match(labels[0]):
+    if not times and not TIME.match(labels[0]):
         return None
     if len(look.rows) < 2:
         raise look.error("expected at least 2 samples")
@@ -380,7 +229,7 @@ def _times(look, labels, width):
             continue
         if _counts_up([row[c] for row in rows]):
             numbered.append(c)
-        elif c == 0 or c - 1 in numbered or _TIME.match(labels[c]) or _evenly(x):
+        elif c == 0 or c - 1 in numbered or TIME.match(labels[c]) or _evenly(x):
             timed.append(c)
     # the first one is the time; others that are the same are left out beside it
     return numbered + timed[:1]
@@ -420,11 +269,11 @@ def _in_a_row(look, as_columns):
         raise look.error("expected at least 2 samples")
     if width == 1 and set(look.widths) == {1}:
         return _column(look, as_columns)
-    labels = _labels(look.block, width)
+    labels = labels_of(look.block, width)
     if many == 1 and any(labels):
         raise look.error("one line of numbers below its captions; expected at least 2 samples")
     whole = set(look.widths) == {width}
-    named = whole and all(labels) and all(map(_COMPONENT.fullmatch, labels))
+    named = whole and all(labels) and all(map(COMPONENT.fullmatch, labels))
     if as_columns or (as_columns is None and _side_by_side(look, width, named, whole)):
         if width > MAX_COLUMNS:
             raise look.error(f"{width} columns; expected at most {MAX_COLUMNS}")
@@ -440,7 +289,7 @@ def _in_a_row(look, as_columns):
         ]
         kind = "csv" if look.block.separator else "columns"
         return Layout(kind, look.block, channels, declared=look.declared)
-    parted = [c for c in look.counts if _parts(total, c)]
+    parted = [c for c in look.counts if divides(total, c)]
     if parted and total not in look.counts:
         starts = _starts(look, parted[0])
         parts = list(look.x.reshape(-1, parted[0]))
@@ -465,26 +314,26 @@ def _starts(look, count):
 def _side_by_side(look, width, named, whole):
     """Decide between channels side by side and accelerations in a row."""
     total, many = len(look.x), len(look.rows)
-    closer = _closer(look.x[: many * width].reshape(-1, width)) if whole else 0
+    near = closer(look.x[: many * width].reshape(-1, width)) if whole else 0
     if look.counts:
         if many in look.counts and whole:
             return True
-        if total in look.counts and not (named or closer > 1):
+        if total in look.counts and not (named or near > 1):
             return False
-        if any(_parts(total, c) for c in look.counts) and not named and closer <= 1:
+        if any(divides(total, c) for c in look.counts) and not named and near <= 1:
             return False
-        _fits(look, many if named or closer > 1 else total)
+        _fits(look, many if named or near > 1 else total)
         raise _question(look, width)
-    if named or closer > 1:
+    if named or near > 1:
         return True
     numbers = whole_numbers(look.block.heading)
-    if total in numbers and many not in numbers and closer < 1:
+    if total in numbers and many not in numbers and near < 1:
         return False
     if whole and many in numbers:
         return True
     if many == 1 or width >= LONG_LINE and stated_channels(look.block.heading) != width:
         short = not whole and set(look.widths[:-1]) == {width}
-        if many == 1 or closer < 0 or (short and _closer_short(look, width) <= (many < FEW_LINES)):
+        if many == 1 or near < 0 or (short and _closer_short(look, width) <= (many < FEW_LINES)):
             return False
     if not whole and set(look.widths[:-1]) != {width}:
         _regular(look)
@@ -494,34 +343,7 @@ def _side_by_side(look, width, named, whole):
 def _closer_short(look, width):
     """As `_closer`, of a block whose last line is short."""
     rows = look.x[: (len(look.rows) - 1) * width].reshape(-1, width)
-    return _closer(rows) if len(rows) > 1 else 0
-
-
-def _closer(table):
-    """2 where neighbours down the columns are closer, -1 along the lines; 1 and 0: it is open.
-
-    Down: closer than along the line, at which all distances are alike: a motion of the period of a
-    line is close down the columns too, and closer to its neighbours than half a line away. Along:
-    each number is as close to the next, over the end of a line too; channels that move alike are
-    close along the line, but not over its end, which makes a 1.
-    """
-    rows, width = table.shape
-    if rows < 8:
-        return 0
-    flat = table.ravel()
-    down = np.abs(table[1:] - table[:-1]).mean()
-    steps = np.abs(np.diff(flat))
-    across = steps.mean()
-    if not down > 0.0 or not across > 0.0:
-        return 0
-    by_place = np.nanmean(np.append(steps, np.nan).reshape(rows, width), axis=0)
-    even = by_place.max() < (1.0 + 4.0 / np.sqrt(rows)) * by_place.min()
-    if down * CLOSER < across:
-        apart = [np.abs(flat[lag:] - flat[:-lag]).mean() for lag in range(2, width)]
-        return 2 if across > ALIKE * max(apart, default=0.0) else 1
-    if across * CLOSER < down and even:
-        return -1
-    return 1 if not even else 0
+    return closer(rows) if len(rows) > 1 else 0
 
 
 def _question(look, width):
@@ -538,7 +360,7 @@ def _column(look, as_columns):
     total = len(look.x)
     if as_columns:
         raise look.error("expected time and acceleration, two numbers a line")
-    parted = [c for c in look.counts if _parts(total, c)]
+    parted = [c for c in look.counts if divides(total, c)]
     if parted and total not in look.counts:
         return _blocks(look, list(look.x.reshape(-1, parted[0])), _starts(look, parted[0]))
     for blocks in (2, 3, 4):
@@ -550,7 +372,7 @@ def _column(look, as_columns):
     heading = [line for line in look.block.heading if line.strip()]
     several = stated_channels(heading)
     names = re.split(r"[\s,;|/]+", heading[-1].strip()) if heading else []
-    if len(names) > 1 and all(map(_COMPONENT.fullmatch, names)):
+    if len(names) > 1 and all(map(COMPONENT.fullmatch, names)):
         several = len(names)
     if several > 1 and total not in look.counts:
         raise look.error(
@@ -559,7 +381,7 @@ def _column(look, as_columns):
         )
     if total > 5 and _evenly(look.x):
         raise look.error("the numbers rise evenly, as times do and no acceleration does")
-    label = _labels(look.block, 1)[0]
+    label = labels_of(look.block, 1)[0]
     label = "" if len(label.split()) > 3 or re.search(r"[:=\d]", label) else label
     return Layout(
         "single-column", look.block, [(label, look.x, look.lines[0])], declared=look.declared

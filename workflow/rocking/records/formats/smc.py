@@ -16,7 +16,8 @@ MAX_COMMENTS = 10_000
 UNKNOWN = 1.7e38
 _COMPONENT = re.compile(r"component\s*=\s*(.*)", re.I)
 _KIND = re.compile(
-    r"\s*\d?\s*((?:UN)?CORRECTED ACCELEROGRAM|ACCELEROGRAM|UNKNOWN|VELOCITY|DISPLACEMENT|\w+ SPECTR\w+)",
+    r"\s*\d?\s*((?:UN)?CORRECTED ACCELEROGRAM|ACCELEROGRAM|UNKNOWN|VELOCITY"
+    r"|DISPLACEMENT|\w+ SPECTR\w+)",
     re.I,
 )
 
@@ -32,10 +33,10 @@ def _starred(text):
 
 def read(text):
     """Read the file's one channel."""
-    kind = _KIND.match(text.lines[0])
-    if not kind:
+    found = _KIND.match(text.lines[0])
+    if not found:
         raise text.error(1, "expected '2 CORRECTED ACCELEROGRAM'")
-    kind = kind[1].upper()
+    kind = found[1].upper()
     if "ACCELEROGRAM" not in kind and kind != "UNKNOWN":
         raise text.error(1, f"{kind.lower()}; expected an accelerogram")
     acceleration = kind != "UNKNOWN" or re.search(r"\bpk\s+acc", "\n".join(text.lines[:11]), re.I)
