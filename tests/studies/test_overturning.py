@@ -20,6 +20,7 @@ from rocking.studies.overturning import (
     others,
     predict,
     rectangles,
+    solvers,
     table,
 )
 from rocking.studies.overturning.__main__ import main
@@ -298,3 +299,39 @@ def test_pseudo_velocity_of_a_resonant_motion():
     omega = 2.0 * math.pi / 0.5
     a = np.sin(omega * np.arange(0.0, 30.0, table.STEP_S))
     assert lessons._pseudo_velocity(a, table.STEP_S, 0.5) == pytest.approx(10.0 / omega, rel=0.02)
+
+
+def test_histories_far_from_collapse_repeat(pulses):
+    made, motions = pulses
+    fell, same = solvers.repeated({"step_fraction": 0.4}, made, motions)
+    assert same.all()
+    assert set(fell.tolist()) == {True, False}
+
+
+def test_agreement_counts_what_repeats():
+    """Of three that repeat the reference agrees in two; YADE ran two, of which one repeats."""
+    rows = [(1, 1, 1, 1), (0, 1, 1, None), (1, 0, 0, 0), (0, 1, 0, None)]
+    found = pd.DataFrame(rows, columns=["planar", "repeats", "reference", "yade"])
+    counts = solvers.agreement(found.astype({"yade": "Int64"}))
+    assert (counts["repeat"], counts["reference agrees"], counts["of all"]) == (3, 2, 2)
+    assert (counts["in space"], counts["of these repeat"], counts["space agrees"]) == (2, 1, 1)
+    assert (counts["falls in the plane"], counts["falls in space"]) == (2, 1)
+
+
+def test_errors_are_counted_by_what_tests_have_in_common(tmp_path, monkeypatch):
+    """Predictions that are all 0 are wrong where a block fell, and by as much too low."""
+    numbers = np.arange(8)
+    pd.DataFrame(
+        {"test": numbers, "specimen": 1, "members": 4, "fell": 0, "probability_of_fall": 0.0}
+    ).to_csv(tmp_path / "geometry.csv", index=False)
+    tests = {"test": numbers, "motion": "a", "pga_g": 0.1 * (1 + numbers)}
+    tests |= {"overturned_specimen1": numbers // 4, "overturned_specimen2": None}
+    pd.DataFrame(tests).to_csv(tmp_path / "tests.csv", index=False)
+    size = 0.1 * (1.0 + numbers)
+    own = pd.DataFrame({"pga_g": size, "pgv_m_s": size, "strong_s": size}, index=numbers)
+    monkeypatch.setattr(lessons, "of_tests", lambda folder: own)
+    found = lessons.errors(tmp_path, tmp_path, "geometry")
+    by = found[found["by"] == "pgv_m_s"]
+    assert by["wrong"].tolist() == [0, 0, 2, 2]
+    assert by["mean p - y"].tolist() == [0.0, 0.0, -1.0, -1.0]
+    assert lessons.reversals(tmp_path)[1] == (0, 1)
