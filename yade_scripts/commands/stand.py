@@ -11,7 +11,8 @@ The file holds a list; each entry is one history:
     step_fraction  of the critical step
 
 The outcomes say of each its id, status ("stood", "fell" or "failed"), the largest tilt [rad], the
-largest twist about the vertical [rad], how far the block slid [m], dt_s, steps and wall_s.
+largest twist about the vertical [rad], how far its centre of mass moved along the table while it
+leaned by less than half of `fallen_rad`, tilting included [m], dt_s, steps and wall_s.
 """
 
 import json
@@ -37,7 +38,7 @@ class Tilt:
         """Of a scene with one free block."""
         self.index = next(i for i, block in enumerate(scene.blocks) if block.free)
         self.table, self.fallen_rad = scene.index(scene.reference), fallen_rad
-        self.tilt_rad = self.twist_rad = self.slid_m = 0.0
+        self.tilt_rad = self.twist_rad = self.moved_m = 0.0
         self.fell = False
 
     def attach(self, built):
@@ -62,8 +63,8 @@ class Tilt:
         self.twist_rad = max(self.twist_rad, abs(math.atan2(turned[3], turned[0])))
         if tilt < 0.5 * self.fallen_rad:
             place = self._place()
-            slid = math.dist(place, self.start)
-            self.slid_m = max(self.slid_m, slid)
+            moved = math.dist(place, self.start)
+            self.moved_m = max(self.moved_m, moved)
 
 
 def shaken(entry):
@@ -83,7 +84,7 @@ def shaken(entry):
     history = simulate.run(scene, {GROUND: ground}, step, rules, check=tilt, full_rotation=True)
     fell = tilt.fell or history.status == simulate.OVERTURNED
     status = "failed" if history.status == simulate.FAILED else "fell" if fell else "stood"
-    found = {key: getattr(tilt, key) for key in ("tilt_rad", "twist_rad", "slid_m")}
+    found = {key: getattr(tilt, key) for key in ("tilt_rad", "twist_rad", "moved_m")}
     found |= {"dt_s": history.dt_s, "steps": history.steps, "wall_s": history.wall_s}
     return {"id": entry["id"], "status": status, **found}
 

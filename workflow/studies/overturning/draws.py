@@ -19,6 +19,7 @@ class Draw(NamedTuple):
     direction_rad: float  # of shaking, in the axes of the scan; the motion as it is drives along it
     standing: blocks.Standing  # in the plane
     inertia_m2: np.ndarray  # (3, 3) over mass, in the axes of `points_m`
+    width: float = 1.0  # of what it rocks about along y, over that of the points
 
 
 def solids(stated, folder):
@@ -77,7 +78,7 @@ def draw(stated, solid, mass_kg, weakest_rad, number, specimen):
         blocks.beta(mass_kg, contact, damping),
         blocks.fallen_tilt(chain),
     )
-    return Draw(points, direction, standing, inertia)
+    return Draw(points, direction, standing, inertia, scale)
 
 
 def _standing_on(rng, points, rough):

@@ -100,9 +100,8 @@ def in_space(draw):
     """`Standing` of a draw with six freedoms."""
     own = draw.standing
     inertia = own.mass_kg * np.diag(draw.inertia_m2)
-    return own._replace(
-        corners_m=geometry.corners(draw.points_m), inertia_kg_m2=tuple(inertia.tolist())
-    )
+    corners = geometry.corners(draw.points_m) * np.array([1.0, draw.width, 1.0])
+    return own._replace(corners_m=corners, inertia_kg_m2=tuple(inertia.tolist()))
 
 
 def by_yade(draws, motions, limit_s=3600.0):

@@ -66,12 +66,12 @@ def _rows(stated, one, names, motions, spatial):
     for k, test in enumerate(motions):
         row = {"test": test, "specimen": names[0], "draw": names[1], "planar": int(fell[k])}
         row |= {"repeats": int(same[k]), "reference": int(other[k])}
-        row |= dict.fromkeys(("yade", "tilt_deg", "twist_deg", "slid_mm"), np.nan)
+        row |= dict.fromkeys(("yade", "tilt_deg", "twist_deg", "moved_mm"), np.nan)
         if outcome := space.get(test):
             row["yade"] = {"fell": 1, "stood": 0}.get(outcome["status"], np.nan)
             row["tilt_deg"] = round(float(np.degrees(outcome["tilt_rad"])), 2)
             row["twist_deg"] = round(float(np.degrees(outcome["twist_rad"])), 2)
-            row["slid_mm"] = round(1e3 * outcome["slid_m"], 2)
+            row["moved_mm"] = round(1e3 * outcome["moved_m"], 2)
         rows.append(row)
     return rows
 

@@ -10,6 +10,7 @@ import pytest
 import yaml
 from rocking.configuration.config import ConfigError
 from rocking.mechanics.closed_forms import restitution_housner
+from rocking.reference import simulate
 from rocking.solver import Motions, history, peaks, stable_step, to_plane
 
 from studies.overturning import (
@@ -20,6 +21,7 @@ from studies.overturning import (
     others,
     predict,
     rectangles,
+    solvers,
     table,
 )
 from studies.overturning.__main__ import main
@@ -299,3 +301,79 @@ def test_pseudo_velocity_of_a_resonant_motion():
     omega = 2.0 * math.pi / 0.5
     a = np.sin(omega * np.arange(0.0, 30.0, table.STEP_S))
     assert lessons._pseudo_velocity(a, table.STEP_S, 0.5) == pytest.approx(10.0 / omega, rel=0.02)
+
+
+def test_histories_far_from_collapse_repeat(pulses):
+    made, motions = pulses
+    fell, same = solvers.repeated({"step_fraction": 0.4}, made, motions)
+    assert same.all()
+    assert set(fell.tolist()) == {True, False}
+
+
+def test_agreement_counts_what_repeats():
+    """Of three that repeat the reference agrees in two; YADE ran two, of which one repeats."""
+    rows = [(1, 1, 1, 1), (0, 1, 1, None), (1, 0, 0, 0), (0, 1, 0, None)]
+    found = pd.DataFrame(rows, columns=["planar", "repeats", "reference", "yade"])
+    counts = solvers.agreement(found.astype({"yade": "Int64"}))
+    assert (counts["repeat"], counts["reference agrees"], counts["of all"]) == (3, 2, 2)
+    assert (counts["in space"], counts["of these repeat"], counts["space agrees"]) == (2, 1, 1)
+    assert (counts["falls in the plane"], counts["falls in space"]) == (2, 1)
+
+
+def test_errors_are_counted_by_what_tests_have_in_common(tmp_path, monkeypatch):
+    """Predictions that are all 0 are wrong where a block fell, and by as much too low."""
+    numbers = np.arange(8)
+    pd.DataFrame(
+        {"test": numbers, "specimen": 1, "members": 4, "fell": 0, "probability_of_fall": 0.0}
+    ).to_csv(tmp_path / "geometry.csv", index=False)
+    tests = {"test": numbers, "motion": "a", "pga_g": 0.1 * (1 + numbers)}
+    tests |= {"overturned_specimen1": numbers // 4, "overturned_specimen2": None}
+    pd.DataFrame(tests).to_csv(tmp_path / "tests.csv", index=False)
+    size = 0.1 * (1.0 + numbers)
+    own = pd.DataFrame({"pga_g": size, "pgv_m_s": size, "strong_s": size}, index=numbers)
+    monkeypatch.setattr(lessons, "of_tests", lambda folder: own)
+    found = lessons.errors(tmp_path, tmp_path, "geometry")
+    by = found[found["by"] == "pgv_m_s"]
+    assert by["wrong"].tolist() == [0, 0, 2, 2]
+    assert by["mean p - y"].tolist() == [0.0, 0.0, -1.0, -1.0]
+    assert lessons.reversals(tmp_path)[1] == (0, 1)
+
+
+def test_both_solvers_start_a_block_at_rest(pulses):
+    """Nothing moves without a motion but by what friction takes up at the start, 2e-5 rad."""
+    made, _ = pulses
+    still = Motions(np.arange(0.0, 0.5, 0.005), np.zeros(100))
+    plane = to_plane(blocks.scene(made))
+    run = history(plane, still, blocks.NUMERICS, step_s=0.1 * stable_step(plane))
+    assert np.ptp(run.pose[:, 2]) < 5e-5
+    wall = others.Footed(made)
+    assert wall.rest_rad == pytest.approx(-run.pose[0, 2])
+    assert abs(wall.rest_rad) > 1e-3
+    angle = wall.rest_rad / wall.alpha_rad
+    free = simulate(wall, None, 0.3, angle, tolerance=1e-7)
+    assert np.abs(free.theta_rad - wall.rest_rad).max() < 5e-5
+
+
+def test_a_stated_direction_turns_into_the_plane_of_a_draw():
+    """Of a smooth box shaken 30° off its short side: toes where the edges meet the plane."""
+    stated = yaml.safe_load((FOLDER / "geometry.yaml").read_text("utf-8"))
+    stated["specimens"][1]["direction_deg"] = 30.0
+    stated["centre_of_mass_deviation_mm"] = stated["contact"]["roughness_mm"] = 0.0
+    solid = geometry.solid(box_points())
+    one = draws.draw(stated, solid, 100.0, 0.0, 3, 1)
+    toe = 0.5 * WIDE / math.cos(math.radians(30.0))
+    assert one.standing.corners_m[:, 0].max() == pytest.approx(toe, rel=2e-3)
+    x, y = (math.cos(math.radians(30.0)), math.sin(math.radians(30.0)))
+    across = np.array([y, -x, 0.0])
+    about = across @ solid.inertia_m2 @ across
+    assert one.standing.inertia_kg_m2[0] == pytest.approx(100.0 * about, rel=1e-6)
+
+
+def test_the_third_dimension_has_the_width_of_the_plane(pulses):
+    made, _ = pulses
+    points = geometry.solid(box_points()).points_m
+    wide, narrow = (
+        others.in_space(draws.Draw(points, 0.0, made, np.eye(3), width)) for width in (1.0, 0.5)
+    )
+    assert narrow.corners_m[:, 1] == pytest.approx(0.5 * wide.corners_m[:, 1])
+    assert narrow.corners_m[:, [0, 2]] == pytest.approx(wide.corners_m[:, [0, 2]])

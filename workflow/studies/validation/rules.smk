@@ -179,6 +179,7 @@ rule validation:
     """
     Walls that others tested, by both solvers, against what they measured.
     Costs: 14 min; by runs and members.
+    Page: docs/evidence.md
     """
     input:
         lambda w: [path for run in RUNS.settings for path in held_against(run)],
