@@ -25,7 +25,7 @@ def tied(anchor_kn, **facade):
 
 
 def whole(settings):
-    """`Reading` of the whole façade."""
+    """`Governing` of the whole façade."""
     return Slv(settings, DEMAND).reading(Family(settings).part(0.0, "whole"))
 
 

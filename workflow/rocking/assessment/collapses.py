@@ -100,5 +100,5 @@ def _listed(case, turns, levels):
     if not turns:
         return []
     settings = [{"pga_g": own.tolist()} for own in levels]
-    how = {"search": "list", "settings": settings, "fraction": LONG_STEP}
-    return [curve.table for curve in collapse_curves(case, turns, **how)]
+    found = collapse_curves(case, turns, search="list", settings=settings, fraction=LONG_STEP)
+    return [curve.table for curve in found]

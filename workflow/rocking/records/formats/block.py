@@ -25,7 +25,7 @@ _DIGIT = re.compile(r"\d")
 
 
 @dataclass(frozen=True)
-class Block:
+class NumberBlock:
     """The lines of numbers, as rows of words that are numbers.
 
     Attributes
@@ -72,7 +72,7 @@ def cells(line, separator, decimal_comma):
 
 
 def read_block(text):
-    """Return the `Block` of a file, None where no line is numbers alone."""
+    """Return the `NumberBlock` of a file, None where no line is numbers alone."""
     first = _first(text)
     if not first:
         return None
@@ -103,7 +103,7 @@ def read_block(text):
             found = line.replace(";", " ").split() if is_numbers(line) else found
         rows.append(_checked(text, number, found))
         numbers.append(number)
-    return Block(lines[: first - 1], rows, numbers, gaps, separator, comma)
+    return NumberBlock(lines[: first - 1], rows, numbers, gaps, separator, comma)
 
 
 def _first(text):

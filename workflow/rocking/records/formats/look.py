@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..text import Text
-from .block import Block
+from .block import NumberBlock
 
 
 @dataclass(frozen=True)
@@ -16,7 +16,7 @@ class Layout:
     ----------
     kind : str
         Name of a format: "csv", "two-column", "columns", "wrapped" or "single-column".
-    block : Block
+    block : NumberBlock
     channels : list of (label, values, line)
         With the captions that the file has, empty where it has none.
     time_s : ndarray or None
@@ -27,7 +27,7 @@ class Layout:
     """
 
     kind: str
-    block: Block
+    block: NumberBlock
     channels: list
     time_s: np.ndarray | None = None
     time: tuple = ("", [])
@@ -39,7 +39,7 @@ class Look:
     """A block under examination; `rows` is what is left of it."""
 
     text: Text
-    block: Block
+    block: NumberBlock
     rows: list
     lines: list
     gaps: dict
