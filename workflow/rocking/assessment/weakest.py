@@ -54,12 +54,11 @@ def _sampled(low_m, high_m, apart_m=APART_M):
 
 def parts(family):
     """Parts above every foot, and between two feet the weakest where it is weaker than both."""
-    feet, top = family.feet(), family.masonry.top_m
-    found = [_foot(z, words) for z, words in feet.items()]
+    found, listed_m, top = feet(family), family.feet(), family.masonry.top_m
     if family.slv is None:  # α0 has no minimum between two feet
         return found
     listed = {site.foot_m: family.measure(site) for site in found}
-    ends = [*feet, top - families.LEAST_PART_M]
+    ends = [*listed_m, top - families.LEAST_PART_M]
     for low, high in itertools.pairwise(ends):
         part = f"between_{low}_and_{float(round(high, 6))}"
         words = f"between {low:.2f} and {high:.2f} m"
@@ -79,27 +78,31 @@ def parts(family):
     return sorted(found, key=lambda site: site.foot_m)
 
 
-def _foot(foot_m, words):
-    part = f"above_{foot_m}" if foot_m else families.WHOLE_PART
-    return families.Site(part, foot_m, words=words)
+def feet(family):
+    """Parts above every foot."""
+    names = {z: f"above_{z}" if z else families.WHOLE_PART for z in family.feet()}
+    return [families.Site(names[z], z, words=words) for z, words in family.feet().items()]
 
 
 def spans(family):
-    """Vertical bending between every two levels that hold, of each the weakest that falls.
+    """Vertical bending between every two levels that hold, of each the weakest that falls."""
+    pairs = itertools.combinations(family.levels(), 2)
+    found = [bending(family, low, high) for low, high in pairs]
+    return [site for site in found if site is not None]
+
+
+def bending(family, low_m, high_m):
+    """Vertical bending between two levels that hold, the weakest that falls; None where none does.
 
     Its foot lies between the lower level and the next one.
     """
-    levels, feet, found = family.levels(), family.feet(), []
-    for k, low in enumerate(levels[:-1]):
-        own = [low, *(z for z in feet if low < z < levels[k + 1])]
-        if family.slv is not None:
-            for a, b in itertools.pairwise([*own, levels[k + 1]]):  # as listed
-                own = [*own, *_sampled(a, b, FEET_APART_M)]
-        for high in levels[k + 1 :]:
-            moves = None if family.slv is None else levels[k + 1]
-            site = span(family, own, low, high, moves)
-            found += [] if site is None else [site]
-    return found
+    next_m = min(z for z in family.levels() if z > low_m)
+    own = [low_m, *(z for z in family.feet() if low_m < z < next_m)]
+    if family.slv is None:
+        return span(family, own, low_m, high_m)
+    for a, b in itertools.pairwise([*own, next_m]):
+        own = [*own, *_sampled(a, b, FEET_APART_M)]
+    return span(family, own, low_m, high_m, next_m)
 
 
 def span(family, feet, low_m, high_m, next_m=None):
