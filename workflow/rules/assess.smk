@@ -359,7 +359,7 @@ rule assess_report:
 rule assess:
     """
     Codes of practice compared with the dynamic answer, one façade: a report in HTML and PDF.
-    Costs: 1 to 3 minutes for three models and 44 motions; by records, mechanisms and height.
+    Costs: 2 to 8 minutes for three models and 44 motions; by records, mechanisms, courses and ties.
     Page: docs/assessment.md
     """
     input:
