@@ -15,8 +15,8 @@ from rocking.assessment import (
     walls,
 )
 from rocking.assessment.checks import LEAST_KNOWN
-from rocking.assessment.family import WHOLE_PART
 from rocking.assessment.paper import Picture
+from rocking.assessment.sites import WHOLE_PART
 from rocking.assessment.verdict import g3, per_cent, powered
 from rocking.formula import words
 from yade_scripts.model.registry import MODELS

@@ -27,8 +27,9 @@ from typing import NamedTuple
 
 from rocking.assessment import anchors, weakest
 from rocking.assessment.dynamic_check import FINE, ROUGH
-from rocking.assessment.family import LEAST_PART_M, Family
+from rocking.assessment.family import Family
 from rocking.assessment.shaken import label
+from rocking.assessment.sites import LEAST_PART_M
 from rocking.assessment.slv import Slv, read_as
 from rocking.assessment.ties_grown import (
     BY_HAND,

@@ -12,13 +12,13 @@ import math
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from rocking.assessment import family as families
+from rocking.assessment.sites import CORNERS, LEAST_PART_M, WHOLE_PART, Site
 
 BESIDE_M = 0.02  # of a change: what lies just above it or below
 BLOCK_M = 0.1  # least height of a block of vertical bending
 APART_M, FEET_APART_M = 0.25, 0.5  # of samples between two changes; of feet that bend
 HINGES = 13  # samples of a hinge over a span, closer towards its ends
-CORNERS = 12  # samples of a corner's foot
+CORNER_FEET = 12  # samples of a corner's foot
 NEAR_M = 0.03  # to which a height is found
 EVALUATIONS = 10  # of following one height down
 ROUNDS, SETTLED = 5, 0.995  # of following foot and hinge; a round gains more, or is the last
@@ -58,13 +58,13 @@ def parts(family):
     if family.slv is None:  # α0 has no minimum between two feet
         return found
     listed = {site.foot_m: family.measure(site) for site in found}
-    ends = [*listed_m, top - families.LEAST_PART_M]
+    ends = [*listed_m, top - LEAST_PART_M]
     for low, high in itertools.pairwise(ends):
         part = f"between_{low}_and_{float(round(high, 6))}"
         words = f"between {low:.2f} and {high:.2f} m"
 
         def measure(z, part=part):
-            return family.measure(families.Site(part, float(z)))
+            return family.measure(Site(part, float(z)))
 
         samples = [(measure(z), z) for z in _sampled(low, high)]
         if not samples:
@@ -74,14 +74,14 @@ def parts(family):
         k = places.index(at)
         at, best = _least(measure, places[k - 1] + NEAR_M, places[k + 1] - NEAR_M, at, best)
         if best < WORTH * min(listed[low], listed.get(high, math.inf)):
-            found.append(families.Site(part, at, words=words))
+            found.append(Site(part, at, words=words))
     return sorted(found, key=lambda site: site.foot_m)
 
 
 def feet(family):
     """Parts above every foot."""
-    names = {z: f"above_{z}" if z else families.WHOLE_PART for z in family.feet()}
-    return [families.Site(names[z], z, words=words) for z, words in family.feet().items()]
+    names = {z: f"above_{z}" if z else WHOLE_PART for z in family.feet()}
+    return [Site(names[z], z, words=words) for z, words in family.feet().items()]
 
 
 def spans(family):
@@ -115,7 +115,7 @@ def span(family, feet, low_m, high_m, next_m=None):
     def measure(foot, hinge):
         key = round(float(foot), 4), round(float(hinge), 4)
         if key not in memo:
-            site = families.Site(part, float(foot), float(hinge), high_m)
+            site = Site(part, float(foot), float(hinge), high_m)
             memo[key] = family.measure(site)
         return memo[key]
 
@@ -131,7 +131,7 @@ def span(family, feet, low_m, high_m, next_m=None):
     if not starts:
         return None
     best = min(_followed(family, measure, (low_m, high_m, next_m), feet, one) for one in starts)
-    return families.Site(part, best[1], best[2], high_m)
+    return Site(part, best[1], best[2], high_m)
 
 
 def _followed(family, measure, ends_m, feet, start):
@@ -173,18 +173,18 @@ def corners(family):
     """Both corners, each at its weakest foot; none without return walls. No tie holds them."""
     if not family.wall["count"]:
         return []
-    last = family.height_m - families.LEAST_PART_M
+    last = family.height_m - LEAST_PART_M
     edges = [z for z in family.masonry.edges_m if 0.0 < z < last]
-    samples = sorted({*np.linspace(0.0, last, CORNERS).tolist(), *edges})
+    samples = sorted({*np.linspace(0.0, last, CORNER_FEET).tolist(), *edges})
     found = []
-    for side, word in families.CORNERS.items():
+    for side, word in CORNERS.items():
 
         def measure(z, side=side):
-            return family.measure(families.Site("", float(z), side=side))
+            return family.measure(Site("", float(z), side=side))
 
         values = [measure(z) for z in samples]
         k = int(np.argmin(values))
         ends = samples[max(k - 1, 0)], samples[min(k + 1, len(samples) - 1)]
         foot, _ = _least(measure, *ends, samples[k], values[k])
-        found.append(families.Site(f"{word}_corner", foot, side=side))
+        found.append(Site(f"{word}_corner", foot, side=side))
     return found
