@@ -6,7 +6,8 @@ from drawn_facades import several
 from rocking.assessment import checks
 from rocking.assessment.code_checks import code_checks, family_of, governing, least
 from rocking.assessment.code_spectrum import CodeDemand
-from rocking.assessment.family import Family, site_of
+from rocking.assessment.family import Family
+from rocking.assessment.sites import site_of
 from rocking.assessment.slv import Slv, readings
 from rocking.configuration import config
 
@@ -25,7 +26,7 @@ def tied(anchor_kn, **facade):
 
 
 def whole(settings):
-    """`Governing` of the whole façade."""
+    """`Counted` of the whole façade."""
     return Slv(settings, DEMAND).reading(Family(settings).part(0.0, "whole"))
 
 

@@ -3,7 +3,7 @@
 import math
 
 import numpy as np
-from rocking.assessment.family import CORNERS, LEAST_PART_M
+from rocking.assessment.sites import CORNERS, LEAST_PART_M
 
 
 def kind_of(family, one):

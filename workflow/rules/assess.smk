@@ -85,9 +85,7 @@ rule assess_collapse:
     params:
         table=lambda w: RUNS.table_path(w.run),
         curves=curves,
-        settings=RUNS.params_of(
-            "baseline", "seed", "vertical_motion", "ida.max_pga_g", *HELD_BY
-        ),
+        settings=RUNS.params_of("baseline", "seed", "vertical_motion", "ida.max_pga_g", *HELD_BY),
     script:
         "../scripts/assess/assess_collapse.py"
 
@@ -316,9 +314,7 @@ rule assess_sensitivity:
     priority: 1  # as long as those
     params:
         table=lambda w: RUNS.table_path(w.run),
-        settings=RUNS.params_of(
-            "baseline", "seed", "vertical_motion", "ida.max_pga_g", *HELD_BY
-        ),
+        settings=RUNS.params_of("baseline", "seed", "vertical_motion", "ida.max_pga_g", *HELD_BY),
     script:
         "../scripts/assess/assess_sensitivity.py"
 
@@ -367,7 +363,7 @@ rule assess_report:
 rule assess:
     """
     Codes of practice compared with the dynamic answer, one façade: a report in HTML and PDF.
-    Costs: 1 to 3 minutes for three models and 44 motions; by records, mechanisms and height.
+    Costs: 2 to 8 minutes for three models and 44 motions; by records, mechanisms, courses and ties.
     Page: docs/assessment.md
     """
     input:

@@ -6,10 +6,11 @@ from rocking.assessment import byhand, verdict
 from rocking.assessment.anchors import completed_settings
 from rocking.assessment.checks import confidence
 from rocking.assessment.demand import eta, floor_demand
-from rocking.assessment.family import Candidate, Family, site_of
+from rocking.assessment.family import Candidate, Family
 from rocking.assessment.national import spectrum_of, stated_row
 from rocking.assessment.paper import Table
 from rocking.assessment.selection import fit_of
+from rocking.assessment.sites import site_of
 from rocking.assessment.slv import readings
 from rocking.assessment.sources import FORMULAS
 from rocking.assessment.values import DEFAULT, values

@@ -8,7 +8,8 @@ import pandas as pd
 
 from rocking.assessment.code_checks import code_checks, governing, least
 from rocking.assessment.demand import floor_demand
-from rocking.assessment.family import Family, pulls_of, site_of, stretched
+from rocking.assessment.family import Family, pulls_of, stretched
+from rocking.assessment.sites import site_of
 from rocking.assessment.slv import Slv
 from rocking.collapse.case import Case, Variant
 from rocking.records import G_M_S2

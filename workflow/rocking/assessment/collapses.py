@@ -14,8 +14,8 @@ import pandas as pd
 from rocking.collapse.curve import collapse_curves
 from rocking.collapse.quick import LONG_STEP, crossings_of
 
-RATIO = 1.1  # from one amplitude to the next
-DEEP = 0.5  # of the known collapse, where they begin: what falls there climbs from far below
+RATIO = 1.12  # from one amplitude to the next, as of a short climb of W1
+DEEP = 0.6  # of the known collapse, where they begin: what falls there climbs from far below
 FIRST, CALM = 2, 0.2  # amplitudes that are run first; d/b below which none below them falls
 BELOW = 1.25  # times below the lowest that falls, where the climb begins; as far above it ends
 NOTHING = {"pga_p10_g": math.nan, "pga_median_g": math.nan}

@@ -6,9 +6,9 @@ import pandas as pd
 
 from rocking.assessment import pictures, verdict
 from rocking.assessment.code_checks import CHECKS
-from rocking.assessment.family import WHOLE_PART
 from rocking.assessment.paper import Picture, Table
 from rocking.assessment.shaken import is_far
+from rocking.assessment.sites import WHOLE_PART
 from rocking.assessment.verdict import g3, per_cent, powered
 from rocking.assessment.walls import named as wall_named
 

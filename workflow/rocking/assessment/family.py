@@ -26,6 +26,7 @@ from typing import NamedTuple
 from rocking.assessment import weakest
 from rocking.assessment.checks import initial_period
 from rocking.assessment.masonry import Masonry
+from rocking.assessment.sites import CORNERS, LEAST_PART_M, WHOLE_PART
 from rocking.mechanics.blocks import Held, bending, interlocking, toppling
 from rocking.mechanics.closed_forms import Interlocked
 from rocking.mechanics.mechanism import WHOLE, Mechanism
@@ -35,11 +36,8 @@ from yade_scripts.model.holds import FRICTION, holds
 ADDED_REACH_M = 0.2  # of one more row: elongation of a rod of 4 m that snaps at 5 %
 FEET = 10  # heights from which a part may part with interlocked return walls
 CRACKED = 0.5  # of the modulus, in T0
-LEAST_PART_M = 0.3  # lower parts are no mechanism of a façade
 NEAR_M = 1e-6
 LAST = ("joint of courses", "change")  # said where nothing else is at that height
-WHOLE_PART = "whole"
-CORNERS = {-1: "left", 1: "right"}
 
 
 def stretched(section, factor):
@@ -79,30 +77,6 @@ class Candidate(NamedTuple):
     def whole(self):
         """Whether it is the whole façade about its base."""
         return self.plane and self.foot_m == 0.0 and self.held_m is None
-
-
-class Site(NamedTuple):
-    """Where a mechanism is, for `Family.at`: what is left of it when forces change."""
-
-    part: str  # see `Candidate`
-    foot_m: float
-    hinge_m: float | None = None
-    held_m: float | None = None
-    side: int = 0
-    words: str = ""  # what is at the foot
-
-
-def site_of(candidate):
-    """`Site` of a `Candidate`, or of a row of a table with its columns."""
-    words = getattr(candidate, "words", "")
-    hinge_m, held_m = map(_known, (candidate.hinge_m, candidate.held_m))
-    foot_m, side = float(candidate.foot_m), int(candidate.side)
-    return Site(candidate.part, foot_m, hinge_m, held_m, side, words)
-
-
-def _known(value):
-    """A height as a number; None where a table has none."""
-    return None if value is None or value != value else float(value)
 
 
 def pulls_of(section, added_n=0.0):

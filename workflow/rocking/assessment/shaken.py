@@ -16,7 +16,7 @@ import pandas as pd
 
 from rocking.assessment.anchors import completed
 from rocking.assessment.dynamic_check import Limits, limits_of
-from rocking.assessment.family import WHOLE_PART
+from rocking.assessment.sites import WHOLE_PART
 from rocking.collapse.case import Case
 from rocking.configuration.facade import TooStockyError
 from rocking.tables import read_frame

@@ -42,7 +42,7 @@ def readings(mechanism):
     return found
 
 
-class Governing(NamedTuple):
+class Counted(NamedTuple):
     """What counts of a mechanism: it, or it without links that give way early.
 
     PGAs are those of the SLV check [g].
@@ -90,15 +90,15 @@ class Slv:
         return self._pga_g(own, candidate) if own.falls() else math.inf
 
     def reading(self, candidate):
-        """`Governing` of a candidate: that of the largest PGA, the fewest links left out."""
+        """`Counted` of a candidate: that of the largest PGA, the fewest links left out."""
         if candidate.mechanism.multiplier() <= 0.0:
-            return Governing(candidate.mechanism, 0.0, 0.0, 0)
+            return Counted(candidate.mechanism, 0.0, 0.0, 0)
         if not candidate.mechanism.falls():
-            return Governing(candidate.mechanism, math.inf, math.inf, 0)
+            return Counted(candidate.mechanism, math.inf, math.inf, 0)
         every = readings(candidate.mechanism)
         pga_g = [self._pga_g(one, candidate) for one in every]
         best = int(np.argmax(pga_g))
-        return Governing(every[best], float(pga_g[best]), float(pga_g[0]), best)
+        return Counted(every[best], float(pga_g[best]), float(pga_g[0]), best)
 
     def _pga_g(self, mechanism, candidate):
         """PGA at which the check of one reading fails [g]; as `checks.nonlinear` has it."""

@@ -21,13 +21,15 @@ stronger row may fail where a weaker one holds, so those rods are shaken again, 
 tried where they fail. What the other models ask for alone is found roughly and told beside.
 """
 
+import itertools
 import math
 from typing import NamedTuple
 
-from rocking.assessment import anchors
+from rocking.assessment import anchors, weakest
 from rocking.assessment.dynamic_check import FINE, ROUGH
-from rocking.assessment.family import LEAST_PART_M, Family
+from rocking.assessment.family import Family
 from rocking.assessment.shaken import label
+from rocking.assessment.sites import LEAST_PART_M
 from rocking.assessment.slv import Slv, read_as
 from rocking.assessment.ties_grown import (
     BY_HAND,
@@ -63,8 +65,8 @@ class Tied:
     """A façade that rows of ties may be added to, and what it is held to by hand.
 
     Of sections facade, return_wall, smdof, assessment and strengthening of a configuration; the
-    last says what rods the rows are of. Where its mechanisms are weakest is looked for once for
-    every set of levels with a row (`Family.sites`), and again for what was found (`looked_again`).
+    last says what rods the rows are of. Where its mechanisms are weakest is looked for once, and
+    again for what was found (`looked_again`).
     """
 
     def __init__(self, sections, demand):
@@ -72,7 +74,10 @@ class Tied:
         self.sections, self.demand = sections, demand
         self.slv = Slv(sections, demand)
         self.weight_n = Family(sections).masonry.weight_n
-        self._sites: dict[tuple, list] = {}  # by heights of the rows
+        self._known: dict[tuple, tuple] = {}  # feet and spans by heights of the rows
+        self._spans: dict[tuple, list] = {}  # places at which it bends between two levels
+        self._between: list = []  # between feet
+        self._corners: list = []
         self._first: list[str] = []  # mechanisms that failed last are tried first
 
     def anchor(self, height_m):
@@ -117,11 +122,27 @@ class Tied:
         return Family({**self.sections, "facade": {**facade, "ties": ties}}, slv=slv)
 
     def _places(self, rows):
-        """`Site`s of the façade with rows at these levels."""
+        """`Site`s of the façade with rows at these levels: what is known, and what is new to it.
+
+        Feet follow from the rows; where it is weakest between feet, and where a wall bends between
+        two levels, is looked for when it is met first.
+        """
         key = tuple(row.height_m for row in rows if row.force_n)
-        if key not in self._sites:
-            self._sites[key] = self.family(rows, self.slv).sites()
-        return self._sites[key]
+        if key not in self._known:
+            family = self.family(rows, self.slv)
+            if not self._known:
+                feet = family.feet()
+                self._between = [s for s in weakest.parts(family) if s.foot_m not in feet]
+                self._corners = weakest.corners(family)
+            levels = family.levels()
+            for low, high in itertools.combinations(levels, 2):
+                if (low, high) not in self._spans:
+                    site = weakest.bending(family, low, high)
+                    self._spans[low, high] = [] if site is None else [site]
+            self._known[key] = weakest.feet(family), list(itertools.combinations(levels, 2))
+        feet, pairs = self._known[key]
+        bends = [site for pair in pairs for site in self._spans[pair]]
+        return [*feet, *self._between, *bends, *self._corners]
 
     def looked_again(self, rows):
         """Look for places that are weaker with these forces; whether there were any."""
@@ -129,7 +150,11 @@ class Tied:
         for site in self.family(rows, self.slv).sites():
             own, before = self._pga_g([site], rows), known.get(site.part, math.inf)
             if own < WEAKER * before or own < WEAKER * self.demand.pga_g <= before:
-                self._places(rows).append(site)
+                low = site.part.split("_")[1]
+                if site.held_m is None:
+                    self._between.append(site)
+                else:
+                    self._spans.setdefault((float(low), site.held_m), []).append(site)
                 weaker = True
         return weaker
 

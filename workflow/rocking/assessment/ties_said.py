@@ -5,13 +5,13 @@ import math
 from rocking.assessment.anchors import CRUSHING, PUNCHING
 from rocking.assessment.paper import Table
 from rocking.assessment.shaken import CORNER, FAR, STOCKY
-from rocking.assessment.verdict import g3, per_cent, short, the, words_of
+from rocking.assessment.verdict import g3, per_cent, the, together, words_of
 
 BY = {PUNCHING: "it punches through the wall", CRUSHING: "the wall crushes under it"}
 REASONS = {
-    CORNER: "turn about a corner",
-    STOCKY: "lower than twice their thickness",
-    FAR: "by hand far from the demand",
+    CORNER: "not over the whole width",
+    STOCKY: "too low to rock",
+    FAR: "far from the demand",
 }
 
 
@@ -34,15 +34,13 @@ def answer(data):
         what += f", and {held} that were shaken with {model}"
     words = f"{said}: with {'these rows' if len(rows) > 1 else 'this row'} {what}."
     if len(beyond):
-        left = words_of([short(one) for one in beyond.itertuples()])
+        left = words_of([name for name, _ in together(beyond)])
         words += f" No row at these levels holds {left}."
     if not rows["built_holds"].all():
         words += " No rods that are sold, on anchors that hold them, give the margin: these do not."
     if not made:
         words += " The dynamic check was not made."
-    words += (
-        f" The force is {rows['margin'].iloc[0]:g} times the least. Each anchor holds its rod: "
-    )
+    words += f" This is {rows['margin'].iloc[0]:g} times the least. Each anchor holds its rod: "
     words += "; ".join(f"{_anchor(r)}" for r in rows.itertuples()) + "."
     return words + not_shaken(after) + beside(after, model) + alone(data)
 
@@ -56,7 +54,7 @@ def counted(flags):
 def _none(data, beyond):
     """What is said where no row is recommended."""
     if len(beyond):
-        names = words_of([short(one) for one in beyond.itertuples()])
+        names = words_of([name for name, _ in together(beyond)])
         return f"No row at floors or eaves makes the façade pass; {names} fails with the strongest."
     standing = " besides those that are there" if data.config["facade"]["ties"] else ""
     if not len(data.tables["ties_tried"]):
@@ -87,7 +85,7 @@ def not_shaken(after):
         return ""
     said = []
     for why, part in left.groupby("why_not", sort=False):
-        names = words_of([short(one) for one in part.itertuples()])
+        names = words_of([name for name, _ in together(part)])
         said.append(f"{names} ({REASONS.get(why, part['why_words'].iloc[0])})")
     return f" Judged by hand alone: {'; '.join(said)}."
 

@@ -14,8 +14,8 @@ ROUNDED = 1e-4  # relative; tables have six figures
 SURE = 0.005  # of a probability that rounds to 0 or 100 %
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 NOT_SHAKEN = {  # by why a mechanism was not shaken
-    CORNER: "which turn about a corner and not over the whole width",
-    STOCKY: "lower than twice its thickness, so that it slides before it rocks",
+    CORNER: "which do not turn over the whole width",
+    STOCKY: "lower than twice its thickness, so that it slides first",
     FAR: "by hand far from the demand",
     REFUSED: "which the models do not take",
 }
@@ -150,11 +150,7 @@ def early(stated):
         f"{short(r)} {g3(r.pga_letter_g)} g by the letter, {g3(r.pga_fails_g)} g without them"
         for r in own.itertuples()
     )
-    return (
-        f" Ties or anchors give way early: {said}. The larger counts, since C8.7.1.2.1.6 asks for "
-        "0.4 d0 of a curve with those actions alone that last until collapse, and a link that "
-        "only pulls back never lowers the curve."
-    )
+    return f" Ties or anchors give way early: {said}, which counts (C8.7.1.2.1.6)."
 
 
 def _governed(verdicts, shaken, held, fit):
@@ -248,10 +244,22 @@ def by_hand_alone(shaken):
         return ""
     said = []
     for why, part in left.groupby("why_not", sort=False):
-        names = [f"{short(r)} ({g3(r.pga_fails_g)} g)" for r in part.itertuples()]
+        names = [f"{name} ({g3(pga_g)} g)" for name, pga_g in together(part)]
         reason = NOT_SHAKEN.get(why, part["why_words"].iloc[0])
         said.append(f"{words_of(names)}, {reason}")
     return f" Not shaken, judged by hand alone: {'; '.join(said)}."
+
+
+def together(rows):
+    """Names of mechanisms and the PGA at which each fails [g], two corners that are alike as one.
+
+    Corners have a key of their own, `why_not`.
+    """
+    corners = rows["why_not"] == CORNER
+    if corners.sum() == 2 and rows.loc[corners, "pga_fails_g"].round(6).nunique() == 1:
+        found = [(short(r), r.pga_fails_g) for r in rows[~corners].itertuples()]
+        return [*found, ("both corners", rows.loc[corners, "pga_fails_g"].iloc[0])]
+    return [(short(r), r.pga_fails_g) for r in rows.itertuples()]
 
 
 def dynamic_check(verdicts, fit, shaken):

@@ -12,13 +12,13 @@ import math
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from rocking.assessment import family as families
+from rocking.assessment.sites import CORNERS, LEAST_PART_M, WHOLE_PART, Site
 
 BESIDE_M = 0.02  # of a change: what lies just above it or below
 BLOCK_M = 0.1  # least height of a block of vertical bending
 APART_M, FEET_APART_M = 0.25, 0.5  # of samples between two changes; of feet that bend
 HINGES = 13  # samples of a hinge over a span, closer towards its ends
-CORNERS = 12  # samples of a corner's foot
+CORNER_FEET = 12  # samples of a corner's foot
 NEAR_M = 0.03  # to which a height is found
 EVALUATIONS = 10  # of following one height down
 ROUNDS, SETTLED = 5, 0.995  # of following foot and hinge; a round gains more, or is the last
@@ -54,18 +54,17 @@ def _sampled(low_m, high_m, apart_m=APART_M):
 
 def parts(family):
     """Parts above every foot, and between two feet the weakest where it is weaker than both."""
-    feet, top = family.feet(), family.masonry.top_m
-    found = [_foot(z, words) for z, words in feet.items()]
+    found, listed_m, top = feet(family), family.feet(), family.masonry.top_m
     if family.slv is None:  # α0 has no minimum between two feet
         return found
     listed = {site.foot_m: family.measure(site) for site in found}
-    ends = [*feet, top - families.LEAST_PART_M]
+    ends = [*listed_m, top - LEAST_PART_M]
     for low, high in itertools.pairwise(ends):
         part = f"between_{low}_and_{float(round(high, 6))}"
         words = f"between {low:.2f} and {high:.2f} m"
 
         def measure(z, part=part):
-            return family.measure(families.Site(part, float(z)))
+            return family.measure(Site(part, float(z)))
 
         samples = [(measure(z), z) for z in _sampled(low, high)]
         if not samples:
@@ -75,31 +74,35 @@ def parts(family):
         k = places.index(at)
         at, best = _least(measure, places[k - 1] + NEAR_M, places[k + 1] - NEAR_M, at, best)
         if best < WORTH * min(listed[low], listed.get(high, math.inf)):
-            found.append(families.Site(part, at, words=words))
+            found.append(Site(part, at, words=words))
     return sorted(found, key=lambda site: site.foot_m)
 
 
-def _foot(foot_m, words):
-    part = f"above_{foot_m}" if foot_m else families.WHOLE_PART
-    return families.Site(part, foot_m, words=words)
+def feet(family):
+    """Parts above every foot."""
+    names = {z: f"above_{z}" if z else WHOLE_PART for z in family.feet()}
+    return [Site(names[z], z, words=words) for z, words in family.feet().items()]
 
 
 def spans(family):
-    """Vertical bending between every two levels that hold, of each the weakest that falls.
+    """Vertical bending between every two levels that hold, of each the weakest that falls."""
+    pairs = itertools.combinations(family.levels(), 2)
+    found = [bending(family, low, high) for low, high in pairs]
+    return [site for site in found if site is not None]
+
+
+def bending(family, low_m, high_m):
+    """Vertical bending between two levels that hold, the weakest that falls; None where none does.
 
     Its foot lies between the lower level and the next one.
     """
-    levels, feet, found = family.levels(), family.feet(), []
-    for k, low in enumerate(levels[:-1]):
-        own = [low, *(z for z in feet if low < z < levels[k + 1])]
-        if family.slv is not None:
-            for a, b in itertools.pairwise([*own, levels[k + 1]]):  # as listed
-                own = [*own, *_sampled(a, b, FEET_APART_M)]
-        for high in levels[k + 1 :]:
-            moves = None if family.slv is None else levels[k + 1]
-            site = span(family, own, low, high, moves)
-            found += [] if site is None else [site]
-    return found
+    next_m = min(z for z in family.levels() if z > low_m)
+    own = [low_m, *(z for z in family.feet() if low_m < z < next_m)]
+    if family.slv is None:
+        return span(family, own, low_m, high_m)
+    for a, b in itertools.pairwise([*own, next_m]):
+        own = [*own, *_sampled(a, b, FEET_APART_M)]
+    return span(family, own, low_m, high_m, next_m)
 
 
 def span(family, feet, low_m, high_m, next_m=None):
@@ -112,7 +115,7 @@ def span(family, feet, low_m, high_m, next_m=None):
     def measure(foot, hinge):
         key = round(float(foot), 4), round(float(hinge), 4)
         if key not in memo:
-            site = families.Site(part, float(foot), float(hinge), high_m)
+            site = Site(part, float(foot), float(hinge), high_m)
             memo[key] = family.measure(site)
         return memo[key]
 
@@ -128,7 +131,7 @@ def span(family, feet, low_m, high_m, next_m=None):
     if not starts:
         return None
     best = min(_followed(family, measure, (low_m, high_m, next_m), feet, one) for one in starts)
-    return families.Site(part, best[1], best[2], high_m)
+    return Site(part, best[1], best[2], high_m)
 
 
 def _followed(family, measure, ends_m, feet, start):
@@ -170,18 +173,18 @@ def corners(family):
     """Both corners, each at its weakest foot; none without return walls. No tie holds them."""
     if not family.wall["count"]:
         return []
-    last = family.height_m - families.LEAST_PART_M
+    last = family.height_m - LEAST_PART_M
     edges = [z for z in family.masonry.edges_m if 0.0 < z < last]
-    samples = sorted({*np.linspace(0.0, last, CORNERS).tolist(), *edges})
+    samples = sorted({*np.linspace(0.0, last, CORNER_FEET).tolist(), *edges})
     found = []
-    for side, word in families.CORNERS.items():
+    for side, word in CORNERS.items():
 
         def measure(z, side=side):
-            return family.measure(families.Site("", float(z), side=side))
+            return family.measure(Site("", float(z), side=side))
 
         values = [measure(z) for z in samples]
         k = int(np.argmin(values))
         ends = samples[max(k - 1, 0)], samples[min(k + 1, len(samples) - 1)]
         foot, _ = _least(measure, *ends, samples[k], values[k])
-        found.append(families.Site(f"{word}_corner", foot, side=side))
+        found.append(Site(f"{word}_corner", foot, side=side))
     return found

@@ -6,7 +6,7 @@ from rocking import Case
 from rocking.assessment import code_tables, shaken, site
 from rocking.assessment.anchors import completed_settings
 from rocking.assessment.code_checks import family_of, governing
-from rocking.assessment.family import site_of
+from rocking.assessment.sites import site_of
 from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.tables import write_table

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pandas as pd
 from rocking.assessment.dynamic_answer import CURVES, LEFT_OUT, RATES, answer, left_out, weakest
-from rocking.assessment.family import WHOLE_PART
 from rocking.assessment.site import hazards_of
+from rocking.assessment.sites import WHOLE_PART
 from rocking.risk.hazard import read_hazard
 from rocking.risk.rates import probability_within
 from rocking.runtime.script import run

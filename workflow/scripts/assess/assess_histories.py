@@ -8,8 +8,8 @@ import json
 import pandas as pd
 from rocking import Case, Motion
 from rocking.assessment.dynamic_check import COLUMNS, checked, verdict
-from rocking.assessment.family import WHOLE_PART
 from rocking.assessment.shaken import cases, limits_by_part, settled
+from rocking.assessment.sites import WHOLE_PART
 from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.tables import read_frame, write_table

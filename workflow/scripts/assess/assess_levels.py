@@ -13,8 +13,9 @@ from rocking.assessment.code_checks import code_checks, least
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.comparison import CHECKED_AG_G, SITE
 from rocking.assessment.dynamic_check import histories, limits_of, verdict
-from rocking.assessment.family import Family, site_of
+from rocking.assessment.family import Family
 from rocking.assessment.shaken import cases
+from rocking.assessment.sites import site_of
 from rocking.assessment.slv import Slv, read_as
 from rocking.collapse.quick import LONG_STEP
 from rocking.records import load_as, measures

@@ -9,8 +9,8 @@ import json
 import numpy as np
 import pandas as pd
 from rocking import Case, Motion, Variant
-from rocking.assessment.family import WHOLE_PART
 from rocking.assessment.shaken import cases, settled, settled_by
+from rocking.assessment.sites import WHOLE_PART
 from rocking.assessment.walls import WALL
 from rocking.collapse.quick import crossings_of
 from rocking.records import load_as
