@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.assessment import floor_spectra, ties, ties_shaken
+from rocking.assessment import floor_spectra, ties, ties_shaken, ties_tables
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.configuration import config
 
@@ -19,8 +19,8 @@ def test_what_a_mechanism_fails_at_over_the_demand_with_and_without_rows():
     least_g = []
     for added in ([], rows):
         forces = [row.force_n for row in added]
-        result = ties.Found(added, forces, [], [None] * len(added), forces)
-        table = pd.DataFrame(ties.after(tied, result, None))
+        result = ties.Found(added, forces, [], [None] * len(added), added, True, {})
+        table = pd.DataFrame(ties_tables.after(tied, result, None))
         fails_g = (demand.pga_g * table["ratio"]).to_numpy()
         assert fails_g == pytest.approx(table["pga_fails_g"].to_numpy())
         assert table["pga_fails_g"].is_monotonic_increasing
@@ -52,13 +52,14 @@ def answer(holds, mean_d_m):
     return {"holds": holds, "mean_d_m": mean_d_m, "d_slv_m": 0.1}
 
 
-def test_of_a_part_under_several_models_the_worst_answer_stands():
-    """The one that does not hold, and of two that hold the one that moves further."""
+def test_of_a_part_the_answer_of_every_model_stands():
+    """Each by part and model, whichever model is asked first."""
     first = {"a": answer(True, 0.02), "b": answer(False, 0.03), "c": answer(True, 0.05)}
     second = {"a": answer(True, 0.04), "b": answer(True, 0.09), "c": answer(True, 0.01)}
     for models in ((first, second), (second, first)):
         found = Answers(dict(zip(("W1", "W2"), models, strict=True))).everything([])
-        assert found == {"a": second["a"], "b": first["b"], "c": first["c"]}
+        by_model = dict(zip(("W1", "W2"), models, strict=True))
+        assert found == {part: {m: own[part] for m, own in by_model.items()} for part in "abc"}
 
 
 def test_the_band_of_a_formula_s_ratios_by_hand():

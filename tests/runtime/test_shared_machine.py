@@ -8,8 +8,9 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pandas as pd
 import pytest
+from rocking import start
 from rocking.figures import style
-from rocking.runtime import run_lock, start, warm
+from rocking.runtime import run_lock, warm
 from rocking.runtime.compiled import is_own
 from rocking.tables import as_text, write_table
 

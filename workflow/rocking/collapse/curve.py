@@ -20,8 +20,8 @@ from rocking.collapse.scan import Screen, scan_settings, seen_together
 from rocking.configuration import config as configuration
 from rocking.configuration import refusals, schema
 from rocking.records.reader import nearest
-from rocking.runtime.first_compilation import say_first_compilation
 from rocking.solver import runs
+from rocking.solver.first_compilation import say_first_compilation
 from yade_scripts.model.motion import SIGNS
 
 OF_A_SEARCH = ("from_g", "pga_g", "scatter")  # settings that no section of a case has

@@ -8,10 +8,10 @@ import math
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 import yaml
 from rocking.configuration.config import ConfigError
 from rocking.solver import Motions
+from rocking.tables import read_frame
 
 from studies.overturning import blocks, predict
 from studies.overturning.score import measures
@@ -27,7 +27,7 @@ def read(folder):
         if not (folder / name).is_file():
             raise ConfigError(f"{folder / name}: expected this file of the prediction")
     stated = yaml.safe_load((folder / "blocks.yaml").read_text("utf-8"))
-    tests = pd.read_csv(folder / "tests.csv", comment="#")
+    tests = read_frame(folder / "tests.csv", comment="#")
     if absent := [name for name in COLUMNS if name not in tests]:
         raise ConfigError(f"{folder}/tests.csv: expected columns {', '.join(absent)}")
     if tests.empty:

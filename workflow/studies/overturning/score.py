@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 from rocking.configuration.config import ConfigError
+from rocking.tables import read_frame
 
 from studies.overturning import table
 from studies.overturning.predict import MODELS, digest, digests
@@ -86,7 +87,7 @@ def calibration(probability, fell):
 
 def joined(folder, tests, model):
     """Prediction of a model beside the known outcomes, column `y`, and motions, a row a test."""
-    predicted = pd.read_csv(Path(folder) / f"{model}.csv")
+    predicted = read_frame(Path(folder) / f"{model}.csv")
     parts = []
     for specimen, own in predicted.groupby("specimen"):
         outcome = known(tests, specimen)

@@ -7,6 +7,7 @@ more and less, and at half the step.
 import numpy as np
 import pandas as pd
 from rocking.solver import peaks, stable_step, to_plane
+from rocking.tables import read_frame
 
 from studies.overturning import blocks, draws, others, predict, table
 
@@ -78,7 +79,7 @@ def _rows(stated, one, names, motions, spatial):
 
 def doubtful(folder, model, count):
     """By specimen so many tests, evenly among those to which a model gives DOUBT."""
-    predicted = pd.read_csv(f"{folder}/{model}.csv")
+    predicted = read_frame(f"{folder}/{model}.csv")
     found = {}
     for specimen, own in predicted.groupby("specimen"):
         tests = own.loc[own["probability_of_fall"].between(*DOUBT), "test"].to_numpy()

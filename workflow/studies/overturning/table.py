@@ -3,9 +3,9 @@
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 from rocking.configuration.config import ConfigError
 from rocking.solver import Motions
+from rocking.tables import read_frame
 
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 
@@ -34,7 +34,7 @@ def tests(folder):
     path = path / TESTS if path.is_dir() else path
     if not path.is_file():
         raise ConfigError(f"{path}: expected this file of the tests")
-    table = pd.read_csv(path)
+    table = read_frame(path)
     absent = [name for name in ("test", "motion", "pga_g") if name not in table]
     if absent:
         raise ConfigError(f"{path}: expected columns {', '.join(absent)}")

@@ -12,9 +12,9 @@ import math
 import sys
 from pathlib import Path
 
-import pandas as pd
 from rocking import Case, estimate
 from rocking.configuration.config import ConfigError
+from rocking.tables import read_frame
 
 COLUMNS = (
     *("building", "run", "model", "height_m", "thickness_m"),
@@ -29,7 +29,7 @@ def read(folder):
     path = Path(folder) / "facades.csv"
     if not path.is_file():
         raise ConfigError(f"{path}: expected this file of the prediction")
-    runs = pd.read_csv(path, comment="#")
+    runs = read_frame(path, comment="#", numbers=["run"])
     if absent := [name for name in COLUMNS if name not in runs]:
         raise ConfigError(f"{path}: expected columns {', '.join(absent)}")
     if runs.empty:
