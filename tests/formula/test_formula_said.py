@@ -115,6 +115,8 @@ def test_an_assessment_says_where_its_median_is_far_from_the_formula():
     tables = {
         "parts_dynamic": pd.DataFrame([{**row, "part": part} for row in rows for part in PARTS]),
         "dynamic": pd.DataFrame(rows),
+        "dynamic_sensitivity": pd.DataFrame(columns=["key", "factor", "ratio"]),
+        "mechanisms": pd.DataFrame(columns=["kind", "pga_fails_g", "links_left_out"]),
     }
     data = SimpleNamespace(
         config=own, tables=tables, demand_said="stated", demand_g=0.3, relied="W1", factor=1.35

@@ -5,7 +5,9 @@
 def add_code_and_log(own):
     """Give a rule the input `modules`, and a log named by the rule and its wildcards."""
     if "modules" not in own.input.keys():
-        script = (Path(own.snakefile).parent / own.script).resolve()
+        parts = Path(os.path.normpath(Path(own.snakefile).parent / own.script)).parts
+        last = len(parts) - parts[::-1].index("workflow")  # as the package has it, see BASE
+        script = BASE.joinpath("workflow", *parts[last:])
         own.set_input(modules=code(script, own.params.get("study")))
     if not own.log:
         wildcards = [name for name in re.findall(r"{(\w+)", own.output[0]) if name != "run"]
