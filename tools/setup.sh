@@ -47,8 +47,8 @@ if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
   $pip --require-hashes --no-build-isolation --use-pep517 -r requirements.lock
   $pip --no-deps --no-build-isolation --editable .
   # before Snakemake reads what --configfile names, in which it would run code (rocking/start.py)
-  printf '#!%s\nimport sys\n\nfrom rocking.start import main\n\nsys.exit(main())\n' \
-    "$PWD/.venv/bin/python" > .venv/bin/snakemake
+  printf '#!%s\nimport sys\n\nfrom rocking.start import main\n\nif __name__ == "__main__":\n    sys.exit(main())\n' \
+    "$PWD/.venv/bin/python" > .venv/bin/snakemake  # processes that it forks read this file too
   say "compiling the solvers: one to two minutes on two free cores, longer on a loaded machine"
   # Python's own compiling too, of what runs import: the environment may forbid Python to keep it
   .venv/bin/python -m compileall -q smdof yade_scripts workflow/rocking

@@ -106,4 +106,6 @@ def test_what_configfile_names_is_looked_at_before_snakemake_reads_it(tmp_path):
         "error: config: theirs.yaml: __use_yte__ would run code of the file; expected plain values"
     )
     assert not (tmp_path / "ran").exists()
-    assert "from rocking.start import main" in (ROOT / "tools/setup.sh").read_text("utf-8")
+    setup = (ROOT / "tools/setup.sh").read_text("utf-8")
+    assert "from rocking.start import main" in setup
+    assert '__name__ == "__main__"' in setup  # a server of scripts reads that file again
