@@ -4,7 +4,10 @@ import yaml
 REPORT_STYLE = str(BASE / "workflow" / "report" / "table.css")
 REPORT_TABLES = {
     name: about
-    for path in (BASE / "workflow" / "report" / "tables.yaml", *sorted(STUDIES.glob("*/tables.yaml")))
+    for path in (
+        BASE / "workflow" / "report" / "tables.yaml",
+        *sorted(STUDIES.glob("*/tables.yaml")),
+    )
     for name, about in yaml.safe_load(path.read_text("utf-8")).items()
 }
 
