@@ -229,7 +229,7 @@ def test_the_wrong_python_is_named_in_one_line(tmp_path):
     """Snakemake from elsewhere, without this project's package."""
     (tmp_path / "sitecustomize.py").write_text("import sys\nsys.modules['rocking'] = None\n")
     done = subprocess.run(
-        [*COMMAND, "-n"],
+        [sys.executable, "-m", "snakemake", *COMMAND[1:], "-n"],
         cwd=tmp_path,
         capture_output=True,
         text=True,
