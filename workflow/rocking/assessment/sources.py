@@ -10,6 +10,7 @@ OFFICIAL = "official wording"  # of the text, in a public transcription with pag
 TRANSCRIPTION = "transcription"  # of the formula, in the same place, from the page's image
 SECOND_HAND = "second hand"
 DERIVED = "derived here"
+UNREAD = "usual form, no text read"
 
 CIRCOLARE = "Circolare 7/2019"
 NTC = "NTC 2018"
@@ -52,7 +53,7 @@ FORMULAS = {
     "lasting": Formula(
         "C8.7.1.2.1.6",
         "0.4 d0 is of a capacity curve with those actions alone whose presence is verified until "
-        "collapse; so a link that gives way before may be left out of it",
+        "collapse (taken here: a link that gives way before may be left out of it)",
         status=OFFICIAL,
     ),
     "punching": Formula(
@@ -63,7 +64,10 @@ FORMULAS = {
         SECOND_HAND,
     ),
     "crushing": Formula(
-        "", "R = f_d a² under the plate, f_d = f_m/(γ_M FC), γ_M = 2", NTC, SECOND_HAND
+        "crushing under a plate",
+        "R = f_d a² under the plate, f_d = f_m/(γ_M FC), γ_M = 2",
+        "mechanics",
+        UNREAD,
     ),
     "behaviour": Formula("C8.7.1.2.1.7", "a_g,SLV = q a_g,SLD, q = 2", status=OFFICIAL),
     "secant_slv": Formula("C8.7.1.10", "T_SLV = 1.68π √(d_SLV/a(d_SLV))"),

@@ -14,7 +14,7 @@ from rocking.assessment.sites import WHOLE_PART
 from rocking.risk.hazard import read_hazard
 from rocking.risk.rates import probability_within
 from rocking.runtime.script import run
-from rocking.tables import read_frame, read_tables, write_table
+from rocking.tables import read_frame, read_tables, together, write_table
 
 
 def main(job):
@@ -24,7 +24,7 @@ def main(job):
     demand_g = read_frame(job.input.checks)["pga_demand_g"].iloc[0]
     given = (p.stations, demand_g, hazards, p.resamples, p.seed)
     whole = read_tables(job.input.collapse).assign(part=WHOLE_PART)
-    every = pd.concat([whole, read_tables(job.input.parts)], ignore_index=True)
+    every = together([whole, read_tables(job.input.parts)])
     own = every.groupby("model", sort=False)
     found = [answer(weakest(rows), *given) for _, rows in own]
     counts = own["part"].nunique()

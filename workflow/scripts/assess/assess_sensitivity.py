@@ -15,7 +15,7 @@ from rocking.assessment.walls import WALL
 from rocking.collapse.quick import crossings_of
 from rocking.records import load_as
 from rocking.runtime.script import run
-from rocking.tables import read_frame, write_table
+from rocking.tables import read_frame, together, write_table
 
 from yade_scripts.model.rest import DoesNotStandError
 
@@ -64,7 +64,7 @@ def main(job):
     settings, table = json.loads(job.params.settings), read_frame(job.input.shaken)
     whole = settled(Case.read(job.input.case), settled_by(settings))
     most = settings["ida.max_pga_g"]
-    known = pd.concat(
+    known = together(
         [read_frame(job.input.collapse).assign(part=WHOLE_PART), read_frame(job.input.parts)]
     )
     part = known.fillna({"pga_median_g": np.inf}).groupby("part")["pga_median_g"].median().idxmin()
