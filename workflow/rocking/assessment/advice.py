@@ -1,5 +1,6 @@
 """What a report recommends next."""
 
+from rocking.assessment.code_tables import DAMAGED_KEYS
 from rocking.assessment.dynamic_check import LEAST_DRAWS, surely
 from rocking.assessment.verdict import (
     as_stated,
@@ -18,12 +19,12 @@ OTHERS = {"en": "EN 1998-3", "parts": "NZS 1170.5"}  # by the first part of a ch
 def damage(sensitivity, mechanisms, demand_g):
     """A line where the check passes as stated and fails before a damaged building; else nothing.
 
-    Of the sensitivity's rows `damaged building, …`: C8.7.1.2.1.4 has the period grow by 50 to 100 %
+    Of the sensitivity's rows of DAMAGED_KEYS: C8.7.1.2.1.4 has the period grow by 50 to 100 %
     at ultimate states.
     """
     weakest_g = as_stated(mechanisms)["pga_fails_g"].iloc[0]
     slv = sensitivity["check"].isin(("slv_ground", "slv_height"))
-    rows = sensitivity[slv & sensitivity["key"].str.startswith("damaged building")]
+    rows = sensitivity[slv & sensitivity["key"].isin(DAMAGED_KEYS.values())]
     if rows.empty or weakest_g < demand_g or rows["ratio"].min() >= 1.0:
         return ""
     worst = rows.sort_values("ratio").iloc[0]

@@ -40,6 +40,7 @@ VARIED = {  # factors by key
 }
 DAMAGE = ("assessment.building_period_factor", "assessment.building_damping")
 DAMAGED = ((1.5, 0.10), (2.0, 0.20))  # of a damaged building
+DAMAGED_KEYS = {damping: f"damaged building, {100 * damping:g} %" for _, damping in DAMAGED}
 DRAWN_S = np.geomspace(0.05, 4.0, 49)  # periods of the drawn spectra
 SHOWN = ("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height")
 SECTIONS = ("facade", "return_wall", "smdof", "assessment")
@@ -56,7 +57,7 @@ def variants(facade):
                 how = {"changes": {f"facade.{k}": v for k, v in new if v != facade[k]}}
             yield Variant(key, **how, about={"key": key, "factor": factor})
     for factor, damping in DAMAGED:
-        name = f"damaged building, {100 * damping:g} %"
+        name = DAMAGED_KEYS[damping]
         how = dict(zip(DAMAGE, (factor, damping), strict=True))
         yield Variant(name, changes=how, about={"key": name, "factor": factor})
 

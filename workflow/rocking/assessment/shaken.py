@@ -87,7 +87,7 @@ def why_not(one, pga_g, least_g, tried):
     except TooStockyError:
         return STOCKY, WORDS[STOCKY]
     except ValueError as error:
-        return REFUSED, str(error).removeprefix("config: ")
+        return REFUSED, getattr(error, "detail", str(error))
     return "", ""
 
 
