@@ -1,5 +1,5 @@
 # make setup   what is missing: YADE from Debian's packages, a virtual environment with pinned packages
-# make run     the main job (sets up first)
+# make run     the main job (sets up what runs need first)
 # make test    the tests and linters (sets up first)
 # make quick   the tests that need neither YADE nor more than a second or two each
 # make docs    the documentation site, build/site/index.html; a warning is an error. Names old pictures
@@ -20,7 +20,8 @@ RUN ?= main
 setup:
 	@bash tools/setup.sh
 
-run: setup
+run:
+	@bash tools/setup.sh run
 	$(SNAKEMAKE) $(ARGS)
 
 test: setup

@@ -7,4 +7,4 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 .venv/bin/python -m venv "$folder"
 "$folder/bin/pip" install -q --disable-pip-version-check pip-audit
-"$folder/bin/pip-audit" --requirement requirements.lock --require-hashes --disable-pip
+"$folder/bin/pip-audit" --requirement requirements-all.lock --require-hashes --disable-pip

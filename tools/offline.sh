@@ -14,7 +14,7 @@ cd "$(dirname "$0")/.."
 
 python=/usr/bin/python3
 [ ! -x .venv/bin/python ] || python=.venv/bin/python
-say "Python packages of requirements.lock"
+say "Python packages of requirements-all.lock"
 mkdir -p "$folder/wheels"
 # pip looks into what is no wheel with what builds it: the lock's setuptools, here as at the set-up
 builds=$(mktemp -d)
@@ -23,7 +23,7 @@ $python -m venv "$builds"
 pip() { "$builds/bin/pip" "$@" -q --disable-pip-version-check --require-hashes; }
 sed -n '/^setuptools==/,/[^\\]$/p' requirements.lock > "$builds/builds.lock"
 pip install -r "$builds/builds.lock"
-pip download --no-deps --no-build-isolation --use-pep517 -r requirements.lock -d "$folder/wheels"
+pip download --no-deps --no-build-isolation --use-pep517 -r requirements-all.lock -d "$folder/wheels"
 say "$(find "$folder/wheels" -type f | wc -l) files in $folder/wheels"
 [ "${2:-}" != --wheels ] || exit 0
 

@@ -195,3 +195,9 @@ def test_a_part_is_not_assessed_by_itself():
     resolved = configuration.resolve({"part": {"foot_m": 2.0}})
     with pytest.raises(ValueError, match="assess: part: expected none"):
         inputs.check_mechanisms(resolved)
+
+
+def test_a_report_without_what_prints_it_is_refused_by_the_command_that_installs_it():
+    inputs.check_printer("json")  # is there
+    with pytest.raises(ValueError, match="needs the package none_such.*`make setup`"):
+        inputs.check_printer("none_such")

@@ -84,8 +84,23 @@ def test_configuration_files_cannot_make_objects():
     assert not Path("pwned").exists()
 
 
-def test_every_locked_package_has_a_version_and_hashes():
-    text = (ROOT / "requirements.lock").read_text("utf-8").replace("\\\n", " ")
+LOCKS = ("requirements.lock", "requirements-all.lock")
+
+
+def locked(name):
+    """Packages of a lock file with their versions and markers."""
+    return set(re.findall(r"(?m)^([\w.-]+==[^\\]+?) *\\?$", (ROOT / name).read_text("utf-8")))
+
+
+def test_what_is_locked_for_runs_is_locked_for_tests():
+    runs, everything = (locked(name) for name in LOCKS)
+    assert len(runs) > 20
+    assert runs < everything
+
+
+@pytest.mark.parametrize("name", LOCKS)
+def test_every_locked_package_has_a_version_and_hashes(name):
+    text = (ROOT / name).read_text("utf-8").replace("\\\n", " ")
     lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
     lines = [line for line in lines if not line.strip().startswith("#")]
     assert len(lines) > 20
@@ -101,7 +116,7 @@ def test_setup_does_not_empty_an_environment_behind_a_link(tmp_path):
     (other / "bin" / "python").touch()
     (mine / "tools").mkdir(parents=True)
     shutil.copy2(ROOT / "tools" / "setup.sh", mine / "tools")
-    for name in ("requirements.lock", "pyproject.toml"):
+    for name in (*LOCKS, "pyproject.toml"):
         shutil.copy2(ROOT / name, mine)
     (mine / ".venv").symlink_to(other)
     if not list(Path("/usr/lib").glob("*/yade*/py/yade/__init__.py")):

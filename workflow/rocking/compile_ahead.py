@@ -1,4 +1,7 @@
-"""Compile every loop before the first run: `python -m rocking.compile_ahead`, a part of the set-up.
+"""Compile loops before the first run, as a part of the set-up.
+
+`python -m rocking.compile_ahead` compiles every loop, with `run` those of the main job alone: a
+loop that is asked for later is compiled then.
 
 What every run imports is compiled too, which an environment may forbid Python to keep later (as
 those of containers often do): each start of Snakemake would take half as long again.
@@ -10,7 +13,7 @@ they ask for; in processes side by side, since a loop takes up to half a minute.
 import importlib
 import multiprocessing
 import sys
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 
 import numpy as np
@@ -68,6 +71,7 @@ def imports():
     importlib.import_module("snakemake.cli").get_argument_parser()  # its plugins
 
 
+MAIN_JOB = ((planar, "W2", 1), (planar, "W2"), (imports,))
 JOBS = (
     (planar, "W2"),
     (others,),
@@ -78,14 +82,20 @@ JOBS = (
     (planar, "W2", 2),
     (imports,),
 )  # the longest first
+SETS = {"all": JOBS, "run": MAIN_JOB}
 
 
 def main(jobs=JOBS):
-    """Compile all, as many at a time as there are cores; return the exit status."""
+    """Compile all, as many at a time as there are cores; return the exit status.
+
+    Says how many parts are done whenever one ends.
+    """
     try:
         with ProcessPoolExecutor(mp_context=multiprocessing.get_context("spawn")) as pool:
-            for job in [pool.submit(*job) for job in jobs]:
-                job.result()
+            parts = [pool.submit(*job) for job in jobs]
+            for done, part in enumerate(as_completed(parts), start=1):
+                part.result()
+                sys.stderr.write(f"setup: {done} of {len(parts)} parts compiled\n")
     except BrokenProcessPool:
         sys.stderr.write(
             "error: a process that compiled a solver was killed, as where memory is short "
@@ -96,4 +106,7 @@ def main(jobs=JOBS):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    wanted = sys.argv[1] if len(sys.argv) > 1 else "all"
+    if wanted not in SETS:
+        sys.exit(f"error: '{wanted}' is not known; expected {' or '.join(SETS)}")
+    sys.exit(main(SETS[wanted]))

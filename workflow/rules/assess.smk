@@ -42,6 +42,15 @@ def site(wildcards):
     return SITES[wildcards.run]
 
 
+def printed(wildcards):
+    """The same for the report, whose PDF needs a package that `make run` does not install."""
+    try:
+        assessed.check_printer()
+    except ValueError as error:
+        stop(error)
+    return site(wildcards)
+
+
 def stated(wildcards):
     """Keys that a run's configuration states, to be told from defaults."""
     return sorted(assessed.every_value(RUNS.stated[wildcards.run]))
@@ -342,7 +351,7 @@ rule assess_report:
         ties=rules.assess_ties.output.yaml,
         verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),
         yade=[rules.assess_confirm.output[0]],
-        site=site,
+        site=printed,
         table=lambda w: RUNS.table_path(w.run),
         records=motions_files,
     output:

@@ -1,6 +1,7 @@
 """What an assessment needs to be told, checked before anything is planned."""
 
 from collections.abc import Mapping
+from importlib.util import find_spec
 
 from rocking.assessment import national
 from rocking.assessment.site import pga_at, read_spectrum
@@ -33,6 +34,15 @@ def check_stated(given, models=()):
         raise ValueError(
             f"assess: {', '.join(missing)} not stated; expected in the façade's file, not the case "
             "study's default"
+        )
+
+
+def check_printer(package="weasyprint"):
+    """Refuse, with a ValueError, a report whose PDF nothing here can write."""
+    if find_spec(package) is None:
+        raise ValueError(
+            f"assess: the report's PDF needs the package {package}, which is not installed; "
+            "expected `make setup`, or `pip install weasyprint`, first"
         )
 
 
