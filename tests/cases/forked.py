@@ -169,6 +169,7 @@ def _obey(order):
         case "yade_scripts", *words:
             sys.exit(importlib.import_module("yade_scripts.__main__").main(words))
         case "call", module, function:
+            sys.path.append(str(ROOT / "workflow"))  # cases of a study
             _call(getattr(importlib.import_module(module), function))
         case script, *_:
             sys.path.insert(0, str(Path(script).parent))

@@ -13,6 +13,8 @@ import yaml
 from code_rules import commands
 from rocking.configuration import config
 
+from yade_scripts.sources import sources
+
 ROOT = Path(__file__).resolve().parents[2]
 # outside packages that each may import, beside Python's own and what it stands on
 MAY = {
@@ -41,6 +43,7 @@ MAY = {
 }
 # files that take more, and why
 MORE = {
+    "yade_scripts/__main__.py": {"studies"},  # commands of studies, see `commands`
     "yade_scripts/commands/check_yade.py": {"yade"},  # whether it is there
     "yade_scripts/commands/view.py": {"yade"},  # its window
     "workflow/rocking/runtime/warm.py": {"snakemake"},  # what it starts
@@ -81,6 +84,18 @@ def test_a_package_imports_what_it_may_and_no_more(package):
         assert MORE.get(name, set()) <= taken, f"{name}: no more taken"
         seen |= taken
     assert seen & MAY[package]
+
+
+def test_what_a_study_runs_in_yade_stands_on_numpy_and_yade_scripts_alone():
+    paths = sorted(ROOT.glob("workflow/studies/*/yade/*.py"))
+    assert len(paths) > 4
+    for path in paths:
+        assert imported(path.read_text("utf-8")) <= {"numpy", "yade_scripts", "studies"}, path
+        own = path.parent.parent
+        found = [one for one in sources(path) if ROOT / "yade_scripts" not in one.parents]
+        empty = {own / "__init__.py", own.parent / "__init__.py"}
+        assert {one.parent for one in {*found} - empty} == {path.parent}, path
+        assert not any(imported(one.read_text("utf-8")) for one in empty), path
 
 
 @pytest.mark.parametrize(
