@@ -371,3 +371,4 @@ rule assess:
 
 
 include: "code_against_dynamics.smk"
+include: "strengthening.smk"

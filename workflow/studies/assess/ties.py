@@ -25,14 +25,13 @@ import itertools
 import math
 from typing import NamedTuple
 
-from rocking.strengthening import row_of_rods
-
 from studies.assess import anchors, weakest
 from studies.assess.dynamic_check import FINE, ROUGH
 from studies.assess.family import Family
 from studies.assess.shaken import label
 from studies.assess.sites import LEAST_PART_M
 from studies.assess.slv import Slv, read_as
+from studies.assess.strengthening import row_of_rods
 from studies.assess.ties_grown import (
     BY_HAND,
     LEAST_SHARE,

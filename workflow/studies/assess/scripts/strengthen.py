@@ -4,9 +4,10 @@ import json
 import time
 from pathlib import Path
 
-from rocking import Case, Motion, strengthening
+from rocking import Case, Motion
 from rocking.runtime.script import run
 from rocking.tables import headed, write_json, write_table
+from studies.assess import strengthening
 
 
 def main(job):

@@ -5,8 +5,8 @@ import json
 import numpy as np
 import pandas as pd
 from rocking.runtime.script import run
-from rocking.strengthening import together
 from rocking.tables import read_frame, write_table
+from studies.assess.strengthening import together
 
 
 def confirmed(table, force_kn):

@@ -18,10 +18,10 @@ from functools import partial
 
 import numpy as np
 import pandas as pd
-from scipy.stats import binomtest
-
 from rocking.collapse.case import Variant
 from rocking.collapse.curve import collapse_curve
+from scipy.stats import binomtest
+
 from yade_scripts.commands.journal import Journal, run_key
 
 CONFIDENCE = 0.95

@@ -4,7 +4,7 @@
 @with_planar_models("strengthening")
 def strengthened_models(resolved):
     """The façade with a tie of the least force, at every height that is tried."""
-    from rocking.strengthening import tie, trial_heights  # slow to load
+    from studies.assess.strengthening import tie, trial_heights  # slow to load
 
     settings = resolved["strengthening"]
     heights = trial_heights(settings, resolved["facade"]["height_m"])
@@ -26,7 +26,7 @@ rule strengthen:
         settings=RUNS.params_of("strengthening"),
         kept=results("cache/strengthening/{model}_{record}_{direction}_planar.jsonl"),
     script:
-        "../scripts/strengthening/strengthen.py"
+        "scripts/strengthen.py"
 
 
 yade_runs_of(
@@ -56,7 +56,7 @@ rule figure_strengthening:
         settings=RUNS.params_of("strengthening"),
         height_m=value_of("facade.height_m"),
     script:
-        "../scripts/strengthening/figure_strengthening.py"
+        "scripts/figure_strengthening.py"
 
 
 rule table_strengthening:
@@ -69,7 +69,7 @@ rule table_strengthening:
     params:
         settings=RUNS.params_of("strengthening"),
     script:
-        "../scripts/strengthening/table_strengthening.py"
+        "scripts/table_strengthening.py"
 
 
 rule strengthening:

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pandas as pd
-from rocking import strengthening
+from studies.assess import strengthening
 
 
 def test_of_equal_forces_the_highest_row_is_the_best():
