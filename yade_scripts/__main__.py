@@ -1,9 +1,9 @@
 """The one entry to what runs inside YADE: `python3 yade_scripts COMMAND [options]`.
 
 It runs under the Python that YADE was built for, the system's own, and makes the package
-importable there; nothing else sets a path. Each command is a module of `commands` with a
-function `main(arguments)`; `python3 yade_scripts` lists them, `python3 yade_scripts ida --help`
-says what one takes.
+importable there; nothing else sets a path. Each command is a module of `commands`, or of a study's
+folder `yade`, with a function `main(arguments)`; `python3 yade_scripts` lists them,
+`python3 yade_scripts ida --help` says what one takes.
 """
 
 import importlib
@@ -19,12 +19,18 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 HERE = Path(__file__).resolve().parent
 if __package__ in (None, ""):
     sys.path[0] = str(HERE.parent)
+# where studies lie, in the project's folder or beside this package
+STUDIES = next(HERE.parent.glob("workflow/studies"), HERE.parent / "studies")
 
 
 def commands():
-    """Names of the commands: the modules of `commands` that have a `main`, sorted."""
-    files = sorted((HERE / "commands").glob("*.py"))
-    return [path.stem for path in files if "\ndef main(" in path.read_text()]
+    """Commands by name, sorted, with the study whose it is, or None: modules that have a `main`."""
+    files = [*HERE.glob("commands/*.py"), *STUDIES.glob("*/yade/*.py")]
+    found = {path.stem: path for path in sorted(files) if "\ndef main(" in path.read_text()}
+    return {
+        name: found[name].parts[-3] if STUDIES in found[name].parents else None
+        for name in sorted(found)
+    }
 
 
 def main(arguments):
@@ -44,7 +50,12 @@ def main(arguments):
     if not arguments or arguments[0] not in known:
         print(f"usage: yade_scripts COMMAND [options]; COMMAND is one of {', '.join(known)}")
         return 2
-    command = importlib.import_module(f"yade_scripts.commands.{arguments[0]}")
+    name, study = arguments[0], known[arguments[0]]
+    if study:
+        sys.path.append(str(STUDIES.parent))
+        command = importlib.import_module(f"studies.{study}.yade.{name}")
+    else:
+        command = importlib.import_module(f"yade_scripts.commands.{name}")
     try:
         return command.main(arguments[1:])
     except (ValueError, OSError, EngineError) as error:

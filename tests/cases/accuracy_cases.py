@@ -7,17 +7,10 @@ import energy_probe
 import numpy as np
 from facade_cases import quiet
 
-from yade_scripts.commands import energy, shaking, stability
+from yade_scripts.commands import energy, shaking
 from yade_scripts.engine import adapter, balance, energy_check, simulate
 from yade_scripts.model import facade, models
 from yade_scripts.model.stiffness import critical_step
-
-
-def limit(config, name, stiffness_factor, beta_s):
-    """Observed over predicted critical step."""
-    job = {**config, "beta_s": beta_s}
-    scene = stability.scene_of(job, name, stiffness_factor, beta_s)
-    return stability.bisect(scene, {}, tolerance=0.03)[0]
 
 
 def drift(config, seconds, ratio):

@@ -140,13 +140,14 @@ def _serve():
 def _plan_ahead():
     """Do what every plan begins with and keeps: plugins, imports of rules and of scripts."""
     importlib.import_module("snakemake.cli").get_argument_parser()
-    for path in (*ROOT.glob("workflow/rules/*.smk"), *ROOT.glob("workflow/studies/*/rules.smk")):
+    for path in (*ROOT.glob("workflow/rules/*.smk"), *ROOT.glob("workflow/studies/*/*.smk")):
         for name in re.findall(
-            r"(?m)^from ((?:rocking|smdof|yade_scripts)[\w.]*) import", path.read_text("utf-8")
+            r"(?m)^from ((?:rocking|smdof|studies|yade_scripts)[\w.]*) import",
+            path.read_text("utf-8"),
         ):
             importlib.import_module(name)
     sources = importlib.import_module("yade_scripts.sources").sources
-    for path in (*ROOT.glob("workflow/scripts/*/*.py"), *ROOT.glob("workflow/studies/*/*.py")):
+    for path in (*ROOT.glob("workflow/scripts/*/*.py"), *ROOT.glob("workflow/studies/*/**/*.py")):
         sources(path)
 
 
@@ -168,6 +169,7 @@ def _obey(order):
         case "yade_scripts", *words:
             sys.exit(importlib.import_module("yade_scripts.__main__").main(words))
         case "call", module, function:
+            sys.path.append(str(ROOT / "workflow"))  # cases of a study
             _call(getattr(importlib.import_module(module), function))
         case script, *_:
             sys.path.insert(0, str(Path(script).parent))

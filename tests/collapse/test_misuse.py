@@ -5,8 +5,7 @@ import re
 
 import numpy as np
 import pytest
-from rocking import Case, Motion, Variant, collapse_curve, estimate, history, strengthening
-from rocking.collapse import curve as curves
+from rocking import Case, Motion, Variant, collapse_curve, estimate, history
 from rocking.collapse.curve import WHERE
 from rocking.collapse.scan import scan_settings
 
@@ -46,11 +45,6 @@ def test_every_setting_of_a_search_has_the_limits_of_the_configuration(case, mot
         how = {"search": "list", "settings": {"pga_g": [level]}}
         refused(lambda h=how: collapse_curve(case, motion, **h), "settings['pga_g'] = ")
         refused(lambda g=level: history(case, motion, "pos", g), "pga_g = ")
-
-
-def test_the_project_s_own_settings_are_within_them():
-    for key, value in strengthening.CHART.items():
-        curves._allowed(key, WHERE[key], value)
 
 
 def test_what_is_no_case_no_key_and_no_change_is_named(case):

@@ -4,19 +4,15 @@ import json
 import math
 import shutil
 import subprocess
-from types import SimpleNamespace
 
 import numpy as np
 import pandas as pd
 import pytest
 from formula_cases import drawn
 from rocking import Case, estimate
-from rocking.assessment import report
 from rocking.configuration import config
 from rocking.formula import law, page, words
 from scipy.special import ndtr
-
-PARTS = ("whole", "above_2.000")  # of an assessment
 
 
 @pytest.fixture(scope="module")
@@ -112,15 +108,5 @@ def test_an_assessment_says_where_its_median_is_far_from_the_formula():
     rows[0]["median_pga_g"] *= 5.0
     (said,) = words.remarks(own, pd.DataFrame(rows))
     assert said.startswith("W1: the computed median")
-    tables = {
-        "parts_dynamic": pd.DataFrame([{**row, "part": part} for row in rows for part in PARTS]),
-        "dynamic": pd.DataFrame(rows),
-        "dynamic_sensitivity": pd.DataFrame(columns=["key", "factor", "ratio"]),
-        "mechanisms": pd.DataFrame(columns=["kind", "pga_fails_g", "links_left_out"]),
-    }
-    data = SimpleNamespace(
-        config=own, tables=tables, demand_said="stated", demand_g=0.3, relied="W1", factor=1.35
-    )
-    assert report.rests_on(data).count(said) == 1  # of the whole façade, not of its parts
     own["facade"]["ties"] = [{"height_m": 3.0}]
     assert words.remarks(own, pd.DataFrame(rows)) == []  # no formula, nothing to say

@@ -26,10 +26,10 @@ before = set(sys.modules)
 exec(compile(open({path!r}).read(), {path!r}, "exec"), {{"__name__": "script"}})
 for name, module in sorted(sys.modules.items()):
     file = getattr(module, "__file__", None)
-    if file and name.split(".")[0] in ("rocking", "smdof", "yade_scripts"):
+    if file and name.split(".")[0] in ("rocking", "smdof", "studies", "yade_scripts"):
         print(file)
 """
-RULE_FILES = sorted([*ROOT.glob("workflow/rules/**/*.smk"), *STUDIES.glob("*/rules.smk")])
+RULE_FILES = sorted([*ROOT.glob("workflow/rules/**/*.smk"), *STUDIES.glob("*/*.smk")])
 SCRIPTS_OF_RULES = f"""
 import json
 include: "{ROOT}/workflow/Snakefile"
@@ -45,7 +45,7 @@ for one in workflow.rules:
 )
 def test_sources_are_what_python_loads(name):
     """Two routes: the parsed imports, and the modules in memory after running the script."""
-    (path,) = SCRIPTS.glob(f"*/{name}.py")
+    (path,) = [*SCRIPTS.glob(f"*/{name}.py"), *STUDIES.glob(f"*/scripts/{name}.py")]
     done = subprocess.run(
         [sys.executable, "-c", LOADED.format(path=str(path))],
         capture_output=True,

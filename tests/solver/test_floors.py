@@ -5,8 +5,6 @@ import math
 import numpy as np
 import pytest
 from both_solvers import BETA_S, FEW, agreed, pulses
-from rocking import strengthening
-from rocking.collapse.additions import planar_models
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.solver.plane import matrices, to_plane
@@ -167,24 +165,3 @@ def test_impossible_floors(floor, given, message):
     """One line with key, value and what was expected."""
     with pytest.raises(ConfigError, match=message):
         configuration.resolve({"facade": {"floors": [floor]}, "models": ["W1"], **given})
-
-
-@pytest.mark.parametrize(
-    ("given", "message"),
-    [
-        ({"models": ["W1"], "facade": {"sides": "two"}}, "sides = two"),
-        ({"strengthening": {"heights_m": [6.0, 7.0]}}, "height_m = 7: expected"),
-        ({"strengthening": {"elongation": 1e-4}}, "elongation.*strain at yield"),
-    ],
-)
-def test_facades_that_cannot_be_held(given, message):
-    """The search for a tie is refused before anything is planned."""
-    config = configuration.resolve(given)
-
-    def models():
-        settings = config["strengthening"]
-        heights = strengthening.trial_heights(settings, config["facade"]["height_m"])
-        return planar_models(config, [strengthening.tie(settings, z, 10.0) for z in heights])
-
-    with pytest.raises(ConfigError, match=message):
-        models()

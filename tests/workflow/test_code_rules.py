@@ -14,7 +14,7 @@ SOURCES = sorted(
     if "__pycache__" not in path.parts
 )
 RULES = [ROOT / "Snakefile", ROOT / "workflow/Snakefile"]
-RULES += sorted([*ROOT.glob("workflow/rules/*.smk"), *ROOT.glob("workflow/studies/*/rules.smk")])
+RULES += sorted([*ROOT.glob("workflow/rules/*.smk"), *ROOT.glob("workflow/studies/*/*.smk")])
 ALLOWED = {
     "workflow/rocking/runtime/run_lock.py": {"socket"},  # asks for the machine's name
     "workflow/rocking/runtime/warm.py": {"runpy"},  # a script of the project, of a rule

@@ -13,6 +13,8 @@ import yaml
 from code_rules import commands
 from rocking.configuration import config
 
+from yade_scripts.sources import sources
+
 ROOT = Path(__file__).resolve().parents[2]
 # outside packages that each may import, beside Python's own and what it stands on
 MAY = {
@@ -20,6 +22,7 @@ MAY = {
     "yade_scripts": {"numpy"},
     "workflow/studies": {
         *("numpy", "scipy", "pandas", "matplotlib", "yaml", "pytest"),
+        *("jinja2", "markupsafe", "weasyprint"),
         *("smdof", "yade_scripts", "rocking", "studies"),
     },
     "workflow/rocking": {
@@ -34,12 +37,13 @@ MAY = {
             "matplotlib",
             "PIL",
         ),
-        *("jinja2", "markupsafe", "weasyprint", "meshio", "pygments"),
+        *("meshio", "pygments"),
         *("smdof", "yade_scripts", "rocking"),
     },
 }
 # files that take more, and why
 MORE = {
+    "yade_scripts/__main__.py": {"studies"},  # commands of studies, see `commands`
     "yade_scripts/commands/check_yade.py": {"yade"},  # whether it is there
     "yade_scripts/commands/view.py": {"yade"},  # its window
     "workflow/rocking/runtime/warm.py": {"snakemake"},  # what it starts
@@ -71,7 +75,7 @@ def test_a_package_imports_what_it_may_and_no_more(package):
     """The chain's library knows no project, what runs in YADE only numpy; the engine has YADE."""
     seen = set()
     for path in sorted((ROOT / package).rglob("*.py")):
-        if path.name.startswith("test_"):
+        if path.name.startswith("test_") or {"tests", "trials"} & {*path.parts}:
             continue
         name = path.relative_to(ROOT).as_posix()
         more = MORE.get(name, set()) | ({"yade"} if "yade_scripts/engine/" in name else set())
@@ -80,6 +84,18 @@ def test_a_package_imports_what_it_may_and_no_more(package):
         assert MORE.get(name, set()) <= taken, f"{name}: no more taken"
         seen |= taken
     assert seen & MAY[package]
+
+
+def test_what_a_study_runs_in_yade_stands_on_numpy_and_yade_scripts_alone():
+    paths = sorted(ROOT.glob("workflow/studies/*/yade/*.py"))
+    assert len(paths) > 4
+    for path in paths:
+        assert imported(path.read_text("utf-8")) <= {"numpy", "yade_scripts", "studies"}, path
+        own = path.parent.parent
+        found = [one for one in sources(path) if ROOT / "yade_scripts" not in one.parents]
+        empty = {own / "__init__.py", own.parent / "__init__.py"}
+        assert {one.parent for one in {*found} - empty} == {path.parent}, path
+        assert not any(imported(one.read_text("utf-8")) for one in empty), path
 
 
 @pytest.mark.parametrize(
@@ -124,7 +140,7 @@ def not_depended_on(block):
 
 def test_every_rule_depends_on_every_command_that_it_starts():
     count = 0
-    for path in [*ROOT.glob("workflow/rules/*.smk"), *ROOT.glob("workflow/studies/*/rules.smk")]:
+    for path in [*ROOT.glob("workflow/rules/*.smk"), *ROOT.glob("workflow/studies/*/*.smk")]:
         for name, block in rules(path.read_text("utf-8")):
             if "use rule" in block.split("\n")[0]:
                 continue
@@ -197,7 +213,8 @@ def whole(node, tree, held):
 
 
 def test_no_script_takes_all_inputs_for_data():
-    scripts = sorted((ROOT / "workflow/scripts").rglob("*.py"))
+    folders = [ROOT / "workflow/scripts", *ROOT.glob("workflow/studies/*/scripts")]
+    scripts = sorted(path for folder in folders for path in folder.rglob("*.py"))
     assert len(scripts) > 100
     found = {path.name for path in scripts if takes_all(path.read_text("utf-8"))}
     assert found == FILTERED

@@ -62,8 +62,8 @@ def planned(project, *words):
 
 @pytest.mark.slow
 def test_without_any_of_them_the_main_job_is_planned(tmp_path):
-    """And with any one of them alone its targets are."""
-    for part in PLANNED:
+    """And with any one of them alone its targets are. Tests of the core need none of them."""
+    for part in (*PLANNED, "tests", "pyproject.toml"):
         copy = shutil.copytree if (ROOT / part).is_dir() else shutil.copy
         copy(ROOT / part, tmp_path / part)
     for name in NAMES:
@@ -71,6 +71,11 @@ def test_without_any_of_them_the_main_job_is_planned(tmp_path):
     status, said = planned(tmp_path)
     assert status == 0, said
     assert targets(tmp_path) == targets(study=None)
+    words = ["-m", "pytest", "--collect-only", "-q", "-n0", "tests"]
+    done = subprocess.run(
+        [sys.executable, *words], cwd=tmp_path, capture_output=True, text=True, timeout=LIMIT_S
+    )
+    assert done.returncode == 0, done.stdout[-2000:]
     for name in NAMES:
         shutil.move(tmp_path / name, tmp_path / "workflow" / "studies" / name)
         status, said = planned(tmp_path, "--list-target-rules")

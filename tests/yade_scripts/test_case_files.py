@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from rocking import Case
 
-from yade_scripts.commands import accuracy, explicit_building, ida, pushover, runs
+from yade_scripts.commands import ida, pushover, runs
 from yade_scripts.files import read_case
 from yade_scripts.model import floor_motions
 
@@ -70,9 +70,7 @@ def test_a_list_or_a_plan_that_is_none_is_named(tmp_path, sections, content):
     floor_motions.write(motion, np.array([0.0, 0.01]), np.array([0.0, 1.0]))
     curve = ["--record", "A", "--direction", "neg", "--journal", str(tmp_path / "journal")]
     for command, words in (
-        (accuracy, ["--plan", wrong]),
         (runs, ["--list", wrong, "--journal", str(tmp_path / "journal")]),
-        (explicit_building, ["--scene", wrong, "--motion", motion]),
         (pushover, ["--scene", wrong]),
         (ida, ["--scene", case, "--motion", motion, "--plan", wrong, *curve]),
     ):

@@ -22,7 +22,6 @@ from rocking.configuration import config as configuration
 from rocking.configuration import unlikely
 from rocking.configuration.chosen import chosen
 from rocking.records.intensity_measures import MEASURES
-from rocking.pushover import DRAWN, VARIANTS, laid
 from rocking.records import RecordError, read_table
 from rocking.records.check import check_runs, reach_g
 from rocking.runtime import (
@@ -120,8 +119,9 @@ def code(script, study=None):
 
 
 def command_code(name):
-    """Input function: a command of `yade_scripts` and all it imports, as one stamp."""
-    path = BASE / "yade_scripts" / "commands" / f"{name}.py"
+    """Input function: a command of `yade_scripts` or of a study, and all it imports, as one stamp."""
+    places = [BASE / "yade_scripts" / "commands", *STUDIES.glob("*/yade")]
+    path = next(p for place in places if (p := place / f"{name}.py").is_file())
     return lambda w: stamped(path)
 
 

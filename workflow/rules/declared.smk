@@ -1,4 +1,4 @@
-# Rules that differ in names alone: a figure by a script of its own, a study's table, and a figure of it.
+# Rules that differ in names alone: a figure by a script of its own, a study's table, runs in YADE, a figure of it.
 
 
 def figure_by(source, title, category, result, about=None, params=None, **inputs):
@@ -124,6 +124,42 @@ def yade_runs_of(study, rule_name, plan, path, first=None):
             "{params.yade} runs --scene {input.case:q} --motion {input.motion:q}"
             " --record {wildcards.record:q} --direction {wildcards.direction}"
             " --list {input.plan:q} --journal {params.journal:q} --output {output:q} 2> {log:q}"
+
+
+def walls_of(rule_name, cases, path, **needed):
+    """Rule `rule_name`: what YADE says of walls alone, each as a list of cases describes it.
+
+    Parameters
+    ----------
+    rule_name : str
+        Also the name of its log, with the wildcards of its archive.
+    cases : str
+        The list, for YADE's command `walls`.
+    path : str
+        Archive of the histories.
+    **needed
+        Files that the list names.
+    """
+    own = "_".join([rule_name, *(f"{{{n}}}" for n in get_wildcard_names(path) if n != "run")])
+
+    rule:
+        name:
+            rule_name
+        input:
+            **needed,
+            cases=cases,
+            yade=ancient(rules.yade_check.output[0]),
+            modules=command_code("walls"),
+        output:
+            path,
+        log:
+            logs(own),
+        benchmark:
+            benchmarks(own)
+        params:
+            yade=YADE,
+        shell:
+            "{params.yade} walls --list {input.cases:q} --output {output:q} 2> {log:q}"
 
 
 def figure_of(study, title, category, result, caption, facts=None, draw="draw", **inputs):

@@ -1,25 +1,8 @@
-# Static capacity curves in YADE: one job a model, and one a variant of W3.
-DRAWN_VARIANTS = [*(f"header_{rule}" for rule in DRAWN), "default"]  # of Figure 8
-
-
-def pushover_curves(wildcards):
-    """Capacity curves compared with kinematic ones, which are known of plain façades alone."""
-    RUNS.needs_plain(wildcards.run, "the kinematic curve")
-    models = RUNS.cfg(wildcards)["pushover"]["models"]
-    return of_run(rules.pushover_curve.output[0], pushed=models)(wildcards)
-
-
-def laid_variants(run):
-    """Variants of W3 whose bricks can be laid in a run's façade."""
-    try:
-        return laid(RUNS.settings[run])
-    except ValueError as error:
-        stop(error)
+# Static capacity curves in YADE: one job a model.
 
 
 wildcard_constraints:
     pushed="|".join(PUSHED),
-    variant="|".join(re.escape(name) for name in VARIANTS),
 
 
 rule pushover_case:
@@ -32,14 +15,7 @@ rule pushover_case:
             "facade", "return_wall", "damping", "smdof", "numerics", "pushover", "w3"
         ),
     script:
-        "../scripts/pushover/pushover_case.py"
-
-
-use rule pushover_case as pushover_variant_case with:
-    output:
-        results("w3/cases/{variant}.json"),
-    log:
-        logs("w3_case_{variant}"),
+        str(BASE / "workflow/scripts/pushover/pushover_case.py")
 
 
 rule pushover:
@@ -61,20 +37,6 @@ rule pushover:
         " --forces {output.forces:q} 2> {log:q}"
 
 
-use rule pushover as pushover_variant with:
-    input:
-        case=rules.pushover_variant_case.output[0],
-        yade=rules.yade_check.output[0],
-        modules=command_code("pushover"),
-    output:
-        curve=results("w3/{variant}.csv"),
-        forces=results("w3/{variant}_forces.csv"),
-    log:
-        logs("w3_{variant}"),
-    benchmark:
-        benchmarks("w3_{variant}")
-
-
 rule pushover_curve:
     input:
         case=rules.pushover_case.output[0],
@@ -83,37 +45,3 @@ rule pushover_curve:
         results("pushover/{pushed}.csv"),
     script:
         "../scripts/pushover/pushover_curve.py"
-
-
-rule table_pushover:
-    input:
-        curves=pushover_curves,
-        cases=of_run(rules.pushover_variant_case.output[0], variant=laid_variants),
-        raw=of_run(rules.pushover_variant.output.curve, variant=laid_variants),
-        forces=of_run(rules.pushover_variant.output.forces, variant=laid_variants),
-    output:
-        shown_table("pushover", "Boundary conditions", "static capacities"),
-    script:
-        "../scripts/pushover/table_pushover.py"
-
-
-figure_by(
-    "pushover/fig08_w3",
-    "fig08_w3",
-    "Boundary conditions",
-    "8: W3 and its capacity curve",
-    cases=of_run(rules.pushover_variant_case.output[0], variant=DRAWN_VARIANTS),
-    raw=of_run(rules.pushover_variant.output.curve, variant=DRAWN_VARIANTS),
-    forces=of_run(rules.pushover_variant.output.forces, variant=DRAWN_VARIANTS),
-)
-
-
-rule figure_w3_sensitivity:
-    input:
-        table=rules.table_pushover.output[0],
-    output:
-        **figure("w3_sensitivity", "Boundary conditions", "sensitivity of W3's capacity"),
-    log:
-        logs("w3_sensitivity"),
-    script:
-        "../scripts/pushover/figure_w3_sensitivity.py"

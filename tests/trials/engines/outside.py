@@ -53,7 +53,7 @@ def compare(plan_path, output, engine):
     Parameters
     ----------
     plan_path, output : path-like
-        accuracy/plan.json of a run; the table, with columns of `yade_scripts.commands.accuracy`.
+        accuracy/plan.json of a run; the table, with columns of `studies.accuracy.yade.accuracy`.
     engine : module
         NAME; PACKAGE to import; STEPS over the critical one of our own scheme; run_case, which
         takes scene, time_s, ground_m_s2 and dt_s and returns Peak, simulated_s and wall_s, without

@@ -42,7 +42,7 @@ def targets(root: Path = ROOT, study: str | None = "*") -> dict[str, Target]:
     """
     found = {}
     core = (root / "workflow" / "Snakefile", *root.glob("workflow/rules/**/*.smk"))
-    studies = root.glob(f"workflow/studies/{study}/rules.smk") if study else ()
+    studies = root.glob(f"workflow/studies/{study}/*.smk") if study else ()
     for path in (*(core if study in (None, "*") else ()), *studies):
         for name, docstring, body in RULE.findall(path.read_text("utf-8")):
             if re.search("^    output:", body, re.M) or ANOTHER_NAME.fullmatch(body):

@@ -8,11 +8,12 @@ import pandas as pd
 import pytest
 from formula_cases import ROW
 from rocking import Case, Motion, estimate
-from rocking.formula import fit, groups, law, measures
+from rocking.formula import groups, law
 from rocking.shipped import shipped
 from scipy.special import ndtr
 
 from smdof.spectra import response_spectrum
+from studies.atlas import fit, measures
 from studies.atlas import study as atlas
 
 COLUMN = {

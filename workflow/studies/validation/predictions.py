@@ -27,10 +27,10 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import yaml
-from rocking.calibration.restitution import read_archive
 from rocking.collapse.scan import driving
 from rocking.collapse.yade import run_yade
 from rocking.configuration.config import ConfigError
+from rocking.mechanics.restitution import read_archive
 from rocking.records import load
 from rocking.solver import Motions, history, peaks, to_plane
 from rocking.tables import read_frame, write_json

@@ -76,18 +76,12 @@ rule validation_planar:
         "scripts/validation_planar.py"
 
 
-use rule shake_table as validation_yade with:
-    input:
-        tests=rules.validation_cases.output.tests,
-        motions=rules.validation_cases.output.motions,
-        yade=ancient(rules.yade_check.output[0]),
-        modules=command_code("walls"),
-    output:
-        results("validation/{experiment}/histories.npz"),
-    log:
-        logs("validation_yade_{experiment}"),
-    benchmark:
-        benchmarks("validation_yade_{experiment}")
+walls_of(
+    "validation_yade",
+    cases=rules.validation_cases.output.tests,
+    path=results("validation/{experiment}/histories.npz"),
+    motions=rules.validation_cases.output.motions,
+)
 
 
 rule validation_shake_table:
@@ -140,17 +134,11 @@ rule validation_rocking_cases:
         "scripts/validation_rocking_cases.py"
 
 
-use rule free_rocking as validation_rocking_yade with:
-    input:
-        cases=rules.validation_rocking_cases.output[0],
-        yade=ancient(rules.yade_check.output[0]),
-        modules=command_code("walls"),
-    output:
-        results("validation/{experiment}/rocking_histories.npz"),
-    log:
-        logs("validation_rocking_yade_{experiment}"),
-    benchmark:
-        benchmarks("validation_rocking_yade_{experiment}")
+walls_of(
+    "validation_rocking_yade",
+    cases=rules.validation_rocking_cases.output[0],
+    path=results("validation/{experiment}/rocking_histories.npz"),
+)
 
 
 rule validation_rocking:

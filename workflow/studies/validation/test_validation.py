@@ -11,9 +11,9 @@ import pandas as pd
 import pytest
 import yaml
 from forked import snakemake
-from rocking.calibration.restitution import TARGETS, e_exp, e_one_sided, rebounds
 from rocking.configuration.config import ConfigError
 from rocking.mechanics import closed_forms
+from rocking.mechanics.restitution import TARGETS, e_exp, e_one_sided, rebounds
 from rocking.solver import Motions, history, peaks, stable_step, to_plane
 from run_script import script
 

@@ -5,11 +5,11 @@ tables/atlas_formula.csv (coefficients with their intervals) and tables/atlas_er
 """
 
 from rocking import Case
-from rocking.formula import fit, report
-from rocking.formula.measures import factors
 from rocking.records import read_csv
 from rocking.runtime.script import run
 from rocking.tables import read_frame, write_json, write_table
+from studies.atlas import fit, report
+from studies.atlas.measures import factors
 from studies.atlas.study import described, design
 
 

@@ -2,12 +2,12 @@
 
 from pathlib import Path
 
-from rocking.formula import classes
 from rocking.formula.law import base_of, read
 from rocking.risk.hazard import imt_of
 from rocking.risk.nrml import document
 from rocking.runtime.script import run
 from rocking.tables import write_table
+from studies.atlas import classes
 
 
 def main(job):

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from rocking.calibration.restitution import read_archive
+from rocking.mechanics.restitution import read_archive
 from rocking.runtime.script import run
 from rocking.tables import read_frame, read_json, write_table
 from studies.validation import study as validation

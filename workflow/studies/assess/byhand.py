@@ -1,0 +1,177 @@
+"""One mechanism as a reader with a pocket calculator checks it: parts, holds, sums, results.
+
+Every part is a band of masonry between two heights at which the façade changes, or a load. With δ
+the virtual displacement of its centroid at a unit rotation of the lowest block, outward δ_x and
+upward δ_z, κ = dδ_x/dz of the block it is on and r² the mean square of its masses' height about
+their centroid (a²/12 of a rectangle a high), a part's mean square of δ_x is δ_x² + κ² r².
+"""
+
+import itertools
+import math
+from typing import NamedTuple
+
+from rocking.mechanics.closed_forms import GRAVITY_M_S2
+from rocking.mechanics.mechanism import rate
+from rocking.records import G_M_S2
+
+from studies.assess import checks
+from studies.assess.family import NEAR_M
+
+
+class Part(NamedTuple):
+    """A band of masonry or a load: weight, centroid, virtual displacements of the whole of it."""
+
+    name: str
+    weight_n: float
+    y_m: float
+    z_m: float
+    out: float
+    up: float
+    square: float
+
+
+class Pulled(NamedTuple):
+    """A hold that a mechanism passes: force, height, reach, virtual displacement of its point."""
+
+    name: str
+    force_n: float
+    height_m: float
+    slack_m: float
+    reach_m: float
+    out: float
+
+
+class Sums(NamedTuple):
+    """Σ P, Σ P δ_x, Σ P δ_z, Σ P δ_x² and Σ F δ_x; Σ P of what moves sideways alone beside."""
+
+    weight_n: float
+    out_n: float
+    up_n: float
+    square_n: float
+    pull_n: float
+    moving_n: float
+
+
+def bands(masonry, low_m, high_m):
+    """Bands of masonry between two heights: (low, high, [(weight_n, y_m, z_m)])."""
+    cuts = [low_m, *(z for z in masonry.edges_m if low_m + NEAR_M < z < high_m - NEAR_M), high_m]
+    found = [(a, b, masonry.masses(a, b)) for a, b in itertools.pairwise(cuts)]
+    return [row for row in found if row[2]]
+
+
+def _band(masonry, low_m, high_m, masses, move, held):
+    """`Part` of one band; what is held moves up alone."""
+    weight = sum(w for w, *_ in masses)
+    rates = [(w, *rate(move((y, z)), 0.0)) for w, y, z in masses]
+    out = 0.0 if held else sum(w * x for w, x, _ in rates) / weight
+    up = sum(w * v for w, _, v in rates) / weight
+    square = 0.0 if held else sum(w * x**2 for w, x, _ in rates) / weight
+    middle = 0.5 * (low_m + high_m)
+    back, front = masonry.faces(middle)
+    shape = f"{masonry.width(middle):.3g} × {front - back:.3g} m"
+    if masonry.gable_m > NEAR_M and low_m >= masonry.top_m - masonry.gable_m - NEAR_M:
+        shape = f"gable, {front - back:.3g} m"
+    y = sum(w * y for w, y, _ in masses) / weight
+    z = sum(w * z for w, _, z in masses) / weight
+    return Part(f"{low_m:.2f}–{high_m:.2f} m, {shape}", weight, y, z, out, up, square)
+
+
+def parts(family, candidate):
+    """Every `Part` of a plane mechanism, from below."""
+    found, masonry = [], family.masonry
+    pieces = candidate.mechanism.pieces
+    for low, high, move in pieces:
+        rows = bands(masonry, low, high)
+        found += [_band(masonry, a, b, own, move, False) for a, b, own in rows]
+    top, move = pieces[-1][1], pieces[-1][2]
+    if candidate.held_m is not None and top < masonry.top_m - NEAR_M:
+        rows = bands(masonry, top, masonry.top_m)
+        found += [_band(masonry, a, b, own, move, True) for a, b, own in rows]
+    return found + _loads(family, candidate)
+
+
+def _loads(family, candidate):
+    """Loads of floors and roof, and what pushes without bearing."""
+    found, foot, held = [], candidate.foot_m, candidate.held_m
+    pieces = candidate.mechanism.pieces
+    for weight, y, z in family.loads:
+        if z < foot + (NEAR_M if foot else 0.0) or not weight:
+            continue
+        fixed = held is not None and z >= held - NEAR_M
+        move = next((m for _, high, m in pieces if z <= high + NEAR_M), pieces[-1][2])
+        out, up = rate(move((y, z)), 0.0)
+        out = 0.0 if fixed else out
+        found.append(Part(f"load at {z:.2f} m", weight, y, z, out, up, out**2))
+    last = pieces[-1][2]
+    if held is None:
+        for weight, z in family.pushes:
+            if weight and z > foot + NEAR_M:
+                out, _ = rate(last((last((0.0, z))(0.0)[0].real, z)), 0.0)
+                found.append(Part(f"pushes at {z:.2f} m", weight, math.nan, z, out, 0.0, out**2))
+    return found
+
+
+def pulled(candidate):
+    """Holds that a mechanism passes, from below."""
+    found = []
+    for pull in candidate.mechanism.pulls:
+        height = pull.path(0.0)[1].real
+        name = "courses" if pull.fades else "tie or anchor"
+        out = rate(pull.path, 0.0)[0]
+        found.append(Pulled(name, pull.force_n, height, pull.slack_m, pull.reach_m, out))
+    return sorted(found, key=lambda row: row.height_m)
+
+
+def sums(rows, holds):
+    """`Sums` of parts and holds at rest; what pulls from a slack on does not at rest."""
+    return Sums(
+        sum(p.weight_n for p in rows),
+        sum(p.weight_n * p.out for p in rows),
+        sum(p.weight_n * p.up for p in rows),
+        sum(p.weight_n * p.square for p in rows),
+        sum(h.force_n * h.out for h in holds if not h.slack_m),
+        sum(p.weight_n for p in rows if abs(p.out) > 1e-12),
+    )
+
+
+def turned(candidate, share):
+    """Rotation and control displacement at a share of d0, and Σ P δ_x, Σ P δ_z, Σ F δ_x there.
+
+    A link's failure before that share goes first.
+    """
+    mechanism = candidate.mechanism
+    control = mechanism.limit(share)[0]
+    theta = mechanism.rotation(control)
+    out = sum(p * rate(path, theta)[0] for p, path in mechanism.weights)
+    up = sum(p * rate(path, theta)[1] for p, path in mechanism.weights)
+    return theta, control, out, up, mechanism.multiplier(theta) * out - up
+
+
+def results(candidate, found, confidence_factor):
+    """Rows (symbol, how, value, unit) of a mechanism's capacity, from its sums and FC."""
+    g = GRAVITY_M_S2
+    alpha = (found.up_n + found.pull_n) / found.out_n
+    mass = found.out_n**2 / (g * found.square_n)
+    share = g * mass / found.moving_n
+    mechanism = candidate.mechanism
+    theta0, d0 = mechanism.ultimate()
+    theta, control, out, up, pull = turned(candidate, checks.LIMITS["SLV"][0])
+    per = mechanism.participation()[2]
+    why = "0.4 d0" if abs(control - 0.4 * d0) < 1e-9 else "where a tie or an anchor gives way"
+    at = (up + pull) / out
+    height = "of the opening joint"
+    if candidate.held_m is None:
+        height = "height of the control point over the hinge, times sin θ0"
+    return [
+        ("α0", "(Σ P δz + Σ F δF)/Σ P δx (C8.7.1.1)", alpha, ""),
+        ("M*", "(Σ P δx)²/(g Σ P δx²)", mass, "kg"),
+        ("e*", "g M*/Σ P of what moves (C8.7.1.5)", share, ""),
+        ("θ0", "rotation at which α vanishes", theta0, "rad"),
+        ("d0", height, d0, "m"),
+        ("dC", f"displacement at SLV: {why} (C8.7.1.2.1.6)", control, "m"),
+        ("θ", "rotation there", theta, "rad"),
+        ("α(dC)", "(Σ P δz + Σ F δF)/Σ P δx of the turned position", at, ""),
+        ("d*/dC", "Σ P δx²/(δC Σ P δx) (C8.7.1.4)", per, ""),
+        ("d_SLV", "dC d*/dC", control * per, "m"),
+        ("a", "α(dC) g/(e* FC) (C8.7.1.3)", at * G_M_S2 / (share * confidence_factor), "m/s²"),
+    ]

@@ -1,0 +1,169 @@
+"""All checks of one façade under one demand, and which mechanism of it they are applied to."""
+
+import numpy as np
+from rocking.mechanics.mechanism import WHOLE
+from rocking.mechanics.rocking_block import overturning_pga
+from rocking.records import integrate
+
+from studies.assess import checks
+from studies.assess.demand import RecordDemand, floor_demand
+from studies.assess.family import Family
+from studies.assess.slv import Slv, read_as
+from yade_scripts.model.motion import SIGNS
+
+CHECKS = {  # key of the tables: what figures and reports call it
+    "linear_ground": "linear q = 2, ground",
+    "linear_height": "linear q = 2, floor",
+    "slv_ground": "non-linear SLV, ground",
+    "slv_height": "non-linear SLV, floor",
+    "slc_ground": "non-linear SLC, ground",
+    "slc_height": "non-linear SLC, floor",
+    "slv_both": "non-linear SLV, the less",
+    "slc_both": "non-linear SLC, the less",
+    "slv_both_fc": "non-linear SLV, the less, FC 1.35",
+    "slv_ground_first": "SLV, ground, first reading",
+    "slv_height_first": "SLV, floor, first reading",
+    "slv_both_first": "SLV, the less, first reading",
+    "slc_both_first": "SLC, the less, first reading",
+    "slv_all_modes": "SLV, floor, all modes",
+    "en_sd_ground": "EN 1998-3 SD, ground (second hand)",
+    "en_sd_height": "EN 1998-3 SD, floor (second hand)",
+    "en_nc_ground": "EN 1998-3 NC, ground (second hand)",
+    "en_nc_height": "EN 1998-3 NC, floor (second hand)",
+    "parts_ground": "NZS parts, rigid, ground",
+    "parts_height": "NZS parts, rigid, floor",
+    "parts_slow": "NZS parts, T_SLV, floor",
+    "housner": "Housner's energy",
+    "oscillator": "rocking oscillator",
+}
+
+
+def slv_pga(candidate, sections, demand):
+    """PGA at which the non-linear SLV check of one mechanism fails [g], as `least` has it."""
+    return Slv(sections, demand)(candidate)
+
+
+def code_checks(candidate, sections, demand, confidence_factor=None):
+    """Every check of one mechanism under one demand of the ground, but the oscillator's.
+
+    By the keys of `CHECKS`; those on the ground only where the mechanism stands on it. `sections`
+    are facade, smdof and assessment of a configuration. FC is as stated, but that of knowledge
+    level 1 where the hinge does not crush.
+    """
+    facade, settings = sections["facade"], sections["assessment"]
+    mechanism, place, t0 = candidate.mechanism, candidate.place, candidate.t0_s
+    inset, q = settings["hinge_inset_m"], settings["behaviour_factor"]
+    fc = confidence_factor or checks.confidence(settings["confidence_factor"], inset)
+    places = Slv(sections, demand).places(candidate)
+    found = {}
+    for key, (at, where) in places.items():
+        found[f"linear_{key}"] = checks.linear(
+            mechanism, at, where, confidence_factor=fc, behaviour=q, t0_s=t0
+        )
+        for limit in checks.LIMITS:
+            found[f"{limit.lower()}_{key}"] = checks.nonlinear(
+                mechanism, at, where, limit, confidence_factor=fc, t0_s=t0
+            )
+        for limit in checks.EUROCODE:
+            found[f"en_{limit.lower()}_{key}"] = checks.eurocode(
+                mechanism,
+                at,
+                where,
+                limit,
+                knowledge=settings["knowledge_level"],
+                crushes=inset > 0.0,
+            )
+    slow = next(v for s, _, v, _ in found["slv_height"].steps if s == "T_SLV")
+    high = facade["base_height_m"] + facade["height_m"]
+    rows = [("parts_height", place * high, 0.0), ("parts_slow", place * high, slow)]
+    if candidate.on_ground:
+        rows.insert(0, ("parts_ground", 0.0, 0.0))
+    for key, height, period in rows:
+        found[key] = checks.parts(
+            mechanism, demand, height, high, period, response_factor=settings["response_factor"]
+        )
+    if candidate.foot_m == 0.0 and candidate.on_ground:
+        found["housner"] = checks.housner(facade["height_m"], facade["thickness_m"], demand)
+    return found
+
+
+def least(found, limit="slv"):
+    """PGA at which the non-linear check fails, of ground and floor the less [g]."""
+    keys = (f"{limit}_ground", f"{limit}_height")
+    return min(found[key].failing_pga_g for key in keys if key in found)
+
+
+def family_of(sections, demand):
+    """`Family` of sections, whose feet, hinges and corners are the weakest under a demand."""
+    return Family(sections, slv=Slv(sections, demand))
+
+
+def governing(candidates, sections, demand):
+    """Mechanisms by the PGA at which SLV fails by hand: (pga_g, it, checks), the least first.
+
+    Each as it counts (`slv.readings`).
+    """
+    rows, slv = [], Slv(sections, demand)
+    for one in candidates:
+        read = read_as(one, slv.reading(one))
+        found = code_checks(read, sections, demand)
+        rows.append((least(found), read, found))
+    return sorted(rows, key=lambda row: row[0])
+
+
+def mechanism_of(sections):
+    """Overturning of the whole façade with its loads and ties, as a `Candidate`."""
+    return Family(sections).part(0.0, WHOLE)
+
+
+def failing_pga(whole, sections, record, directions, max_pga_g):
+    """PGA at which each check just fails under one record, its own spectrum scaled [g].
+
+    FC is 1, for the dynamic answer knows its façade, but where a key says otherwise. Beside the
+    code's letter stand what secondary transcriptions make of it (`first_reading`, on all modes
+    without bounds) and, of the floor check, all modes. The rocking oscillator is integrated, so its
+    answer depends on the direction; NaN where it stands up to `max_pga_g`. Rows are (direction,
+    key, pga_g).
+    """
+    facade, chain = sections["facade"], sections["smdof"]
+    demand = RecordDemand(record.acceleration_m_s2, record.dt_s)
+    own = code_checks(whole, sections, demand, 1.0)
+    alike = {key: check.failing_pga_g for key, check in own.items() if key in CHECKS}
+    for limit in ("slv", "slc"):  # whoever applies both takes the larger demand
+        alike[f"{limit}_both"] = least(own, limit)
+    known = code_checks(whole, sections, demand, checks.LEAST_KNOWN)
+    alike["slv_both_fc"] = least(known)
+    old = floor_demand(demand, whole.place, chain, modes="all", bounded=False)
+    for limit in checks.LIMITS:
+        ground, floor = (checks.first_reading(whole.mechanism, at, limit) for at in (demand, old))
+        alike[f"{limit.lower()}_both_first"] = min(ground, floor)
+        if limit == "SLV":
+            alike |= {"slv_ground_first": ground, "slv_height_first": floor}
+    every = floor_demand(demand, whole.place, chain, modes="all")
+    alike["slv_all_modes"] = checks.nonlinear(whole.mechanism, every, "").failing_pga_g
+    rows = []
+    for direction in directions:
+        rows += [(direction, key, pga_g) for key, pga_g in alike.items()]
+        alone = overturning_pga(
+            record.acceleration_m_s2,
+            record.dt_s,
+            facade["height_m"],
+            facade["thickness_m"],
+            SIGNS[direction],
+            max_pga_g,
+        )
+        rows.append((direction, "oscillator", alone))
+    return rows
+
+
+def pulse_share(record):
+    """Share of ∫v² dt that lies in the half cycle of velocity with the largest peak [-].
+
+    Near 1 for a single pulse, small for a long train of cycles. A half cycle lies between two zero
+    crossings.
+    """
+    v, _ = integrate(record.acceleration_m_s2, record.dt_s)
+    v = v - np.linspace(0.0, v[-1], v.size)
+    cycle = np.concatenate(([0], np.cumsum(np.signbit(v[1:]) != np.signbit(v[:-1]))))
+    mine = cycle == cycle[np.abs(v).argmax()]
+    return float(np.sum(v[mine] ** 2) / np.sum(v**2))

@@ -1,0 +1,103 @@
+"""Where the mechanisms of a façade collapse under each motion, no further than it tells.
+
+A motion fells the façade where it fells one of its mechanisms. So once one has fallen under a
+motion, another is asked only whether it falls below that: at amplitudes `RATIO` apart, all at once.
+Where it does, a short climb about the lowest of them finds where. A range of collapse that is
+narrower than a step may be missed below the other mechanism's, as in the short climb itself.
+"""
+
+import math
+
+import numpy as np
+import pandas as pd
+from rocking.collapse.curve import collapse_curves
+from rocking.collapse.quick import LONG_STEP, crossings_of
+
+RATIO = 1.12  # from one amplitude to the next, as of a short climb of W1
+DEEP = 0.6  # of the known collapse, where they begin: what falls there climbs from far below
+FIRST, CALM = 2, 0.2  # amplitudes that are run first; d/b below which none below them falls
+BELOW = 1.25  # times below the lowest that falls, where the climb begins; as far above it ends
+NOTHING = {"pga_p10_g": math.nan, "pga_median_g": math.nan}
+
+
+def by_part(parts, turns, most_g, known_g=None):
+    """Collapse of some mechanisms, in their order: by part a list of rows, one a turn.
+
+    Parameters
+    ----------
+    parts : mapping of str to Case
+    turns : sequence of (Motion, direction)
+    most_g : float
+        PGA up to which all are followed.
+    known_g : sequence of float, optional
+        Half collapse that is known already by turn, NaN where nothing fell: where it is given,
+        parts are followed up to the least of it and of the parts before.
+
+    Returns
+    -------
+    dict of str to list of dict
+        As of `quick.crossings_of`, with pga_max_g: up to where the part was followed.
+    """
+    found, least = {}, np.full(len(turns), np.inf)
+    if known_g is not None:
+        least = np.fmin(least, np.asarray(known_g, float))
+    for part, case in parts.items():
+        short = np.isfinite(least) & (known_g is not None)
+        rows: list = [None] * len(turns)
+        for own, follow in ((~short, _climbed), (short, _asked)):
+            which = np.flatnonzero(own)
+            if which.size:
+                some = [turns[k] for k in which]
+                for k, row in zip(which, follow(case, some, most_g, least[which]), strict=True):
+                    rows[k] = row
+        least = np.fmin(least, np.array([row["pga_median_g"] for row in rows], float))
+        found[part] = rows
+    return found
+
+
+def _climbed(case, turns, most_g, _):
+    """Short climbs from where they begin by themselves."""
+    rows = crossings_of(case, turns, [{"max_pga_g": float(most_g)}] * len(turns))
+    return [{**row, "pga_max_g": float(most_g)} for row in rows]
+
+
+def _asked(case, turns, most_g, least_g):
+    """Whether and where a part falls below what is known by turn [g].
+
+    The highest amplitudes first: where the part stays below `CALM` at them, none below is run.
+    """
+    ends = np.minimum(least_g, most_g)
+    count = 1 + math.ceil(math.log(1.0 / DEEP) / math.log(RATIO))
+    levels = [end * RATIO ** np.arange(1.0 - count, 0.5) for end in ends]
+    first = _listed(case, turns, [own[-FIRST:] for own in levels])
+    moved = [k for k, table in enumerate(first) if not table["d_over_b"].max() < CALM]
+    rest = _listed(case, [turns[k] for k in moved], [levels[k][:-FIRST] for k in moved])
+    for k, table in zip(moved, rest, strict=True):
+        first[k] = pd.concat([table, first[k]], ignore_index=True)
+    rows, again = [], []
+    for k, (table, end) in enumerate(zip(first, ends, strict=True)):
+        fell = table.loc[table["status"] == "overturned", "pga_g"]
+        rows.append({**NOTHING, "runs_planar": len(table), "pga_max_g": float(end)})
+        if len(fell):
+            again.append((k, float(fell.min()), fell.min() <= levels[k][0] * RATIO))
+    if again:
+        limits = [
+            {"max_pga_g": at * BELOW} | ({} if deep else {"from_g": at / BELOW})
+            for _, at, deep in again
+        ]
+        climbs = crossings_of(case, [turns[k] for k, *_ in again], limits)
+        for (k, at, _), climb in zip(again, climbs, strict=True):
+            runs = rows[k]["runs_planar"] + climb["runs_planar"]
+            half = climb["pga_median_g"]
+            climb["pga_median_g"] = at if math.isnan(half) else half
+            rows[k] = {**climb, "runs_planar": runs, "pga_max_g": rows[k]["pga_max_g"]}
+    return rows
+
+
+def _listed(case, turns, levels):
+    """Outcomes of a case at stated amplitudes by turn, a table each."""
+    if not turns:
+        return []
+    settings = [{"pga_g": own.tolist()} for own in levels]
+    found = collapse_curves(case, turns, search="list", settings=settings, fraction=LONG_STEP)
+    return [curve.table for curve in found]

@@ -1,0 +1,257 @@
+"""The Circolare's check by non-linear dynamic analysis, C8.7.1.2.1.9.
+
+SLV and SLC are fulfilled if no analysis exceeds d0 and the mean of the largest displacements does
+not exceed d_SLV (d_SLC), with d0, d_SLV and d_SLC those of the capacity curve. The motions are
+those of `selection`; the model follows the façade block by block. Displacements are those of the
+top relative to the base, and so are the limits; d/b is cut off at 1, where a façade has fallen.
+
+Near collapse a history turns on its last digits. So motions are run as realisations too, which
+differ in amplitude, node layout and step, and the verdict is drawn over and over with one
+realisation of each motion. A check that is fulfilled in a smaller share of the draws than
+`LEAST_DRAWS` hangs on the numerics, and counts as not passed.
+"""
+
+import math
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+import pandas as pd
+from rocking.collapse.case import Case
+from rocking.collapse.curve import run_by
+from rocking.collapse.quick import LONG_STEP
+from rocking.collapse.scan import together
+
+from yade_scripts.model.shape import shape_of
+
+DRAWS = 2000
+LEAST_DRAWS = 0.95  # share with which a check that is fulfilled counts as passed
+COLUMNS = ["model", "record", "direction", "realisation", "pga_g", "d_over_b", "d_m", "status"]
+
+
+class Care(NamedTuple):
+    """How finely a check is run that is ended once it cannot be passed, by shares of d0."""
+
+    calm: float  # motions that move a façade less by long steps are run by no others
+    near: float  # of motions that move a façade less no perturbed history is run
+
+
+ROUGH = Care(math.inf, 0.5)  # finds rows of ties that are near those of `FINE`
+FINE = Care(0.2, 0.3)  # on other motions nothing below 0.45 d0 went beyond d0: docs/log/assessment
+
+
+class Limits(NamedTuple):
+    """Displacements of the top [m] at which α vanishes, of SLV and of SLC."""
+
+    d0_m: float
+    slv_m: float
+    slc_m: float
+
+
+def limits_of(mechanism):
+    """`Limits` of a mechanism whose control point is the façade's top."""
+    d0 = mechanism.ultimate()[1]
+    return Limits(d0, mechanism.limit(0.4)[0], 0.6 * d0)
+
+
+def width_of(facade):
+    """b of d/b [m]."""
+    return shape_of(facade).overturning_m
+
+
+def histories(job, turns, fraction=None, realisations=0):
+    """Largest displacements of one case under some motions, which march side by side.
+
+    Parameters
+    ----------
+    job : dict
+        A case file.
+    turns : sequence of ((Motion, pga_g), direction)
+    fraction : float, optional
+        Step over the stable one; None takes the dense scan's.
+    realisations : int
+        How many within ± `ensemble.amplitude_spread` of each intensity; 0: each as it is.
+
+    Returns
+    -------
+    list of DataFrame
+        COLUMNS, one a turn.
+    """
+    case, spread, screens = Case(job), job["ensemble"]["amplitude_spread"], {}
+    factors = np.linspace(1.0 - spread, 1.0 + spread, realisations) if realisations else np.ones(1)
+    for (motion, _), direction in turns:
+        if (key := (id(motion), direction)) not in screens:
+            screens[key] = run_by("planar", case, motion, direction, fraction=fraction)
+    found = together(
+        [
+            (screens[id(motion), direction], pga_g * factors, bool(realisations))
+            for (motion, pga_g), direction in turns
+        ]
+    )
+    tables, width_m = [], width_of(job["facade"])
+    for ((motion, pga_g), direction), table in zip(turns, found, strict=True):
+        about = {"model": job["model"], "record": motion.name, "direction": direction}
+        about |= {"realisation": np.arange(1, realisations + 1) if realisations else 0}
+        own = {name: table[name].to_numpy() for name in ("d_over_b", "status")}
+        about |= {"pga_g": pga_g, "d_m": width_m * own["d_over_b"], **own}
+        tables.append(pd.DataFrame(about)[COLUMNS])
+    return tables
+
+
+def checked(job, motions, directions, limits, realisations, care=FINE):
+    """Histories (COLUMNS) for `verdict`: every motion as it is, and perturbed where it tells.
+
+    Motions, (Motion, pga_g), that exceed d0 are perturbed first. Once one exceeds it in all its
+    realisations every draw fails, whatever the others do, and no more are run. Of those that stood
+    the ones are perturbed that move the façade by more than `care.near` d0; by long steps alone are
+    run those that move it by less than `care.calm` d0.
+    """
+    turns = [(one, direction) for one in motions for direction in directions]
+    found = _as_they_are(job, care.calm * limits.d0_m, turns)
+    over = [bool(exceeds(own, limits).any()) for own in found]
+    far = [not own["d_m"].max() <= care.near * limits.d0_m for own in found]
+    fell = [turn for turn, beyond in zip(turns, over, strict=True) if beyond]
+    every = zip(turns, over, far, strict=True)
+    stood = [turn for turn, beyond, moved in every if moved and not beyond]
+    for some in (*([turn] for turn in fell), stood) if realisations else ():
+        again = histories(job, some, realisations=realisations) if some else []
+        found += again
+        if some is not stood and exceeds(again[0], limits).all():
+            break
+    return pd.concat(found, ignore_index=True)
+
+
+def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once=1):
+    """The check, ended once it cannot be passed.
+
+    Parameters
+    ----------
+    job : dict
+        A case file.
+    turns : list of ((Motion, pga_g), direction)
+        In the order in which they count.
+    limits : Limits
+    realisations : int
+        Perturbed histories of each motion that moves the façade by more than `care.near` d0.
+    seed : int
+        See `verdict`.
+    care : Care
+    many : callable
+        As `map`; a pool's runs in some threads.
+    at_once : int
+        How many. What follows the turn that ends the check is left out: tables are the same.
+
+    Returns
+    -------
+    about : dict
+        exceed_d0, mean_d_m, d_slv_m, histories, agree (share of draws that fulfil it), holds.
+    turn : tuple or None
+        What ended it.
+    """
+    found, far, ended, total_m = [], [], None, 0.0
+    once = partial(_as_they_are, job, care.calm * limits.d0_m)
+    for turn, table in _run(many, once, turns, at_once):
+        found.append(table)
+        d_m = table.loc[table["status"] != "failed", "d_m"].max()
+        total_m += 0.0 if np.isnan(d_m) else d_m
+        if d_m > care.near * limits.d0_m:
+            far.append((d_m, turn))
+        if exceeds(table, limits).any() or total_m > limits.slv_m * len(turns):
+            ended = turn
+            break
+    far = sorted(far, key=lambda one: -one[0]) if realisations and ended is None else []
+    step = LONG_STEP if math.isinf(care.calm) else None
+    again = partial(histories, job, fraction=step, realisations=realisations)
+    for turn, table in _run(many, again, [turn for _, turn in far], at_once):
+        found.append(table)
+        if exceeds(table, limits).sum() > (1.0 - LEAST_DRAWS) * (realisations + 1):
+            ended = turn
+            break
+    table = pd.concat(found, ignore_index=True)
+    if (table["status"] == "failed").all():
+        said = {"exceed_d0": 0, "mean_d_m": 0.0, "agree": 1.0, "slv": False}
+    else:
+        said = verdict(table, limits, seed)
+    share = said["agree"] if said["slv"] else 1.0 - said["agree"]
+    about = {"exceed_d0": said["exceed_d0"], "mean_d_m": said["mean_d_m"]}
+    about |= {"d_slv_m": limits.slv_m, "histories": len(table), "agree": share}
+    holds = ended is None and said["slv"] and share >= LEAST_DRAWS
+    return about | {"holds": bool(holds)}, ended
+
+
+def _run(many, run, turns, at_once):
+    """Turns and their tables, in turn; `at_once` groups of them go side by side.
+
+    All of them, whatever ends the check: a vector takes hardly longer than its longest history.
+    """
+    tables: list = [None] * len(turns)
+    groups = [turns[k::at_once] for k in range(min(at_once, len(turns)))]
+    for k, found in enumerate(many(run, groups)):
+        tables[k::at_once] = found
+    return zip(turns, tables, strict=True)
+
+
+def _as_they_are(job, calm_m, turns):
+    """Each by long steps, and where it moves by more than `calm_m` by the scan's instead."""
+    found = histories(job, turns, LONG_STEP)
+    if math.isinf(calm_m):
+        return found
+    moved = [
+        k
+        for k, table in enumerate(found)
+        if (table["status"] != "ok").any() or not table["d_m"].max() <= calm_m
+    ]
+    for k, table in zip(moved, histories(job, [turns[k] for k in moved]), strict=True):
+        found[k] = table
+    return found
+
+
+def exceeds(table, limits):
+    """Whether each history exceeds d0."""
+    return ((table["status"] == "overturned") | (table["d_m"] > limits.d0_m)).to_numpy()
+
+
+def surely(verdicts):
+    """Whether each row of verdicts is fulfilled for SLV, and in `LEAST_DRAWS` of its draws."""
+    return verdicts["slv"].astype(bool) & (verdicts["agree"] >= LEAST_DRAWS)
+
+
+def verdict(table, limits, seed):
+    """The code's verdict on one model, and how far it hangs on the numerics.
+
+    Of histories of one model at one intensity; failed ones are left out and counted. motions,
+    exceed_d0, mean_d_m, d0_m, d_slv_m, d_slc_m, slv, slc (fulfilled or not), agree (share of draws
+    of one realisation a motion with the same verdict on SLV), failed, worst, nearest (motions).
+    """
+    failed = table["status"] == "failed"
+    kept = table[~failed].copy()
+    kept["over"] = exceeds(kept, limits)
+    first = kept[kept["realisation"] == 0]
+    mean, over = float(first["d_m"].mean()), int(first["over"].sum())
+    slv = over == 0 and mean <= limits.slv_m
+    rng = np.random.default_rng(seed)
+    d, out = np.zeros(DRAWS), np.zeros(DRAWS, bool)
+    groups = list(kept.groupby(["record", "direction"], sort=True))
+    for _, part in groups:
+        pick = rng.integers(0, len(part), DRAWS)
+        d += part["d_m"].to_numpy()[pick]
+        out |= part["over"].to_numpy()[pick]
+    held = ~out & (d / max(len(groups), 1) <= limits.slv_m)
+    worst = first.sort_values(["d_m", "record"]).iloc[-1]
+    nearest = first.iloc[(first["d_m"] - limits.slv_m).abs().argmin()]
+    return {
+        "motions": len(first),
+        "exceed_d0": over,
+        "mean_d_m": mean,
+        "d0_m": limits.d0_m,
+        "d_slv_m": limits.slv_m,
+        "d_slc_m": limits.slc_m,
+        "slv": bool(slv),
+        "slc": bool(over == 0 and mean <= limits.slc_m),
+        "agree": float(np.mean(held == slv)),
+        "failed": int(failed.sum()),
+        "worst": worst["record"],
+        "worst_d_m": worst["d_m"],
+        "nearest": nearest["record"],
+        "nearest_d_m": nearest["d_m"],
+    }

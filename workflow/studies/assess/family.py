@@ -1,0 +1,335 @@
+"""The mechanisms that a façade can fall by, over its real shape: they follow from what holds where.
+
+A crack may open at any height, and what stands above it turns. What it takes to turn it is smooth
+in that height except where the masonry changes (thickness, width, what the return walls hold) or
+where a hold or a load is passed: each such height is a *foot* (`Family.feet`). They are read off
+the masonry's edges, the holds and the loads, and not off lists of kinds: what is added to a façade
+and holds it, loads it or changes it brings its foot along. Between two feet there may be a weaker
+one (`weakest`): what counts is the PGA at which the check fails, which has the floor's shaking and
+the displacement left in it, and not the multiplier alone.
+
+Above a foot the virtual work is linear in the rates at which the blocks turn. Its least ratio then
+lies where nothing above the foot is kept in place (*overturning*), or where one level that holds
+is (*vertical bending* between foot and level, open at the height of the least multiplier). Holds
+that are passed over pull with their capacity. So every pair of levels that hold, the base first,
+has its bending, neighbours or not: a tie between them may be the weak one. Foot and hinge are those
+of the least PGA.
+
+Beside these plane mechanisms stand the corners. Loads of floors move with the part that they bear
+on. What holds are ties and anchors; the friction of floors is left out, since nobody has verified
+that it lasts until collapse.
+"""
+
+import math
+from typing import NamedTuple
+
+from rocking.mechanics.blocks import Held, bending, interlocking, toppling
+from rocking.mechanics.closed_forms import Interlocked
+from rocking.mechanics.mechanism import WHOLE, Mechanism
+
+from studies.assess import weakest
+from studies.assess.checks import initial_period
+from studies.assess.masonry import Masonry
+from studies.assess.sites import CORNERS, LEAST_PART_M, WHOLE_PART
+from yade_scripts.model.floors import place_of
+from yade_scripts.model.holds import FRICTION, holds
+
+ADDED_REACH_M = 0.2  # of one more row: elongation of a rod of 4 m that snaps at 5 %
+FEET = 10  # heights from which a part may part with interlocked return walls
+CRACKED = 0.5  # of the modulus, in T0
+NEAR_M = 1e-6
+LAST = ("joint of courses", "change")  # said where nothing else is at that height
+
+
+def stretched(section, factor):
+    """Section facade with every height times a factor: floors, ties and openings move with it."""
+    found = {**section, "height_m": factor * section["height_m"]}
+    for key in ("gable_height_m", "parapet_height_m"):
+        found[key] = factor * section[key]
+    for rows in ("floors", "ties", "openings", "thickness_steps"):
+        found[rows] = [
+            {k: factor * v if k in ("height_m", "z_m") else v for k, v in row.items()}
+            for row in section[rows]
+        ]
+    return found
+
+
+class Candidate(NamedTuple):
+    """One mechanism and where it is; heights are over the façade's base."""
+
+    name: str
+    mechanism: Mechanism
+    foot_m: float  # of its hinge
+    place: float  # of the middle of the line that holds it, over the building's height
+    on_ground: bool  # its hinge
+    t0_s: float = 0.0  # period before the onset, of an element free to vibrate; else 0
+    hinge_m: float | None = None  # of vertical bending: where it opens
+    held_m: float | None = None  # and the level that stays in place
+    side: int = 0  # of a corner, −1 or 1; 0 turns over the whole width, as the dynamic models do
+    part: str = ""  # short name of letters, digits, `_` and `.`, unique within a façade
+    letter: Mechanism | None = None  # with the links that give way early, where these are left out
+
+    @property
+    def plane(self):
+        """Whether it turns over the whole width."""
+        return not self.side
+
+    @property
+    def whole(self):
+        """Whether it is the whole façade about its base."""
+        return self.plane and self.foot_m == 0.0 and self.held_m is None
+
+
+def pulls_of(section, added_n=0.0):
+    """What holds section facade as `Held`, rigid up to its capacity (`holds`).
+
+    With `added_n` one more row of that capacity, at the top of what the return walls hold.
+    """
+    found = [
+        Held(one.capacity_n, one.height_m, one.reach_m, False, one.slack_m)
+        for one in holds(section)
+        if one.kind != FRICTION
+    ]
+    if added_n > 0.0:
+        found.append(Held(added_n, section["height_m"], ADDED_REACH_M))
+    return found
+
+
+class Family:
+    """All mechanisms of one façade.
+
+    Of sections facade, return_wall and assessment of a configuration; `added_n` as of `pulls_of`.
+    Feet, hinges and corners are those of the least `slv`, which takes a `Candidate` and returns the
+    PGA at which its check fails (`slv.Slv`); without it those of the least α0, where no verdict is
+    asked for.
+    """
+
+    def __init__(self, sections, added_n=0.0, slv=None):
+        """Read shape, loads and ties."""
+        self.slv = slv
+        self.wall, self.settings = sections["return_wall"], sections["assessment"]
+        self.section = {**sections["facade"], "courses": 0}  # by hand the masonry is one body
+        section, settings = self.section, self.settings
+        self.masonry = Masonry(section)
+        self.base_m = section["base_height_m"]
+        self.height_m = self.masonry.height_m
+        inset = settings["hinge_inset_m"]
+        if not 0.0 <= inset <= 0.5 * section["thickness_m"]:
+            raise ValueError(
+                f"assessment.hinge_inset_m = {inset:g}: expected 0 to half of "
+                f"facade.thickness_m = {section['thickness_m']:g} (m)"
+            )
+        self.pulls = pulls_of(section, added_n)
+        self.loads = self._loads()
+        self.pushes = [(1e3 * settings["pushing_kn"], self.height_m)]
+
+    def _loads(self):
+        """(weight_n, y_m, z_m) of what floors and roof bear on the façade."""
+        load, arm = self.settings["roof_load_kn"], self.settings["roof_arm_m"]
+        if load is None:
+            shape = self.masonry.shape
+            rows = self.section["floors"]
+            return [(1e3 * row["load_kn"], *place_of(row, shape)[1:]) for row in rows]
+        back, front = self.masonry.faces(self.height_m, above=False)
+        y = 0.5 * (back + front) if arm is None else back + arm
+        return [(1e3 * load, y, self.height_m)] if load else []
+
+    def _place(self, low_m, high_m):
+        """Height of the middle of a line over the building's height."""
+        share = (self.base_m + 0.5 * (low_m + high_m)) / (self.base_m + self.height_m)
+        return min(share, 1.0)
+
+    def _edge(self, height_m, inset_m):
+        """Outer edge about which what lies above turns, less the inset."""
+        outer = self.masonry.faces(height_m)[1]
+        if height_m > 0.0:
+            outer = min(outer, self.masonry.faces(height_m, above=False)[1])
+        return outer - inset_m
+
+    def part(self, foot_m, name, part=None):
+        """Overturning of what lies above a height."""
+        m, inset = self.masonry, self.settings["hinge_inset_m"]
+        hinge = (self._edge(foot_m, inset), foot_m)
+        pulls = [p for p in self.pulls if p.height_m > foot_m + NEAR_M]
+        if self.settings["interlocking_course_m"] and foot_m < self.height_m - NEAR_M:
+            pulls.append(self._interlocked(foot_m))
+        loads = [row for row in self.loads if row[2] >= foot_m + (NEAR_M if foot_m else 0.0)]
+        pushes = [row for row in self.pushes if row[1] > foot_m + NEAR_M]
+        masses = m.masses(foot_m, m.top_m)
+        found = toppling(name, masses, hinge, (hinge[0], m.top_m), loads, pulls, pushes)
+        free = foot_m >= self.height_m - NEAR_M  # above all that the return walls hold
+        stated = self.settings["height_ratio"]
+        place = self._place(foot_m, max(self.height_m, foot_m))
+        if foot_m == 0.0 and stated is not None:
+            place = stated
+        t0 = self._period(foot_m, m.top_m) if free else 0.0
+        own = part or (f"above_{float(round(foot_m, 6))}" if foot_m else WHOLE_PART)
+        on_ground = self.base_m + foot_m <= 0.0
+        return Candidate(name, found, foot_m, place, on_ground, t0, part=own)
+
+    def _period(self, foot_m, top_m):
+        back, front = self.masonry.faces(foot_m)
+        e = CRACKED * 1e6 * self.section["e_mpa"]
+        return initial_period(top_m - foot_m, front - back, self.masonry.unit_weight, e)
+
+    def _interlocked(self, foot_m):
+        keys = ("course_m", "overlap_m", "friction")
+        course, overlap, friction = (self.settings[f"interlocking_{key}"] for key in keys)
+        bricks = Interlocked(
+            course, overlap, self.wall["thickness_m"], friction, self.wall["count"]
+        )
+        held = interlocking(self.height_m - foot_m, bricks, self.masonry.unit_weight)
+        return held._replace(height_m=foot_m + held.height_m)
+
+    def changes(self):
+        """Heights at which masonry, holds or loads change, and what is there: (z_m, words)."""
+        m = self.masonry
+        foot = "foot of the gable" if m.gable_m > NEAR_M else "foot of the parapet"
+        rows = [(self.height_m, foot)] if m.top_m > self.height_m else []
+        rows += [(row["height_m"], "tie") for row in self.section["ties"]]
+        rows += [(row["height_m"], "floor") for row in self.section["floors"]]
+        rows += [(z0, "sill of an opening") for *_, z0, _ in m.shape.openings]
+        rows += [(z1, "head of an opening") for *_, z1 in m.shape.openings]
+        above = zip(m.shape.storeys, m.shape.storeys[1:], strict=False)
+        rows += [(up[0], "change of thickness") for low, up in above if low[2:] != up[2:]]
+        every = [*m.edges_m, *(p.height_m for p in self.pulls), *(row[2] for row in self.loads)]
+        rows += [(z, "change") for z in every]  # whatever it is that has no word above
+        if self.settings["interlocking_course_m"]:
+            rows += [(self.height_m * k / FEET, "joint of courses") for k in range(1, FEET)]
+        found: dict[float, list] = {}
+        for z, word in rows:
+            words = found.setdefault(round(float(z), 6), [])
+            if word not in words and not (words and word in LAST):
+                words.append(word)
+        return sorted((z, " and ".join(words)) for z, words in found.items())
+
+    def feet(self):
+        """Heights above which a part may turn, and what is there."""
+        last = self.masonry.top_m - LEAST_PART_M
+        found = {z: words for z, words in self.changes() if LEAST_PART_M <= z <= last}
+        return {0.0: "base"} | found
+
+    def levels(self):
+        """Heights at which anchored floors or ties hold the façade, the base first.
+
+        A floor that holds by its friction alone is left out, as in all mechanisms. Of those nearer
+        than `LEAST_PART_M`, as ties below a floor, the lowest.
+        """
+        found = [0.0]
+        for z in sorted({round(float(p.height_m), 6) for p in self.pulls if p.force_n > 0.0}):
+            if z >= found[-1] + LEAST_PART_M:
+                found.append(z)
+        return found
+
+    def held_top(self):
+        """Bending below a held top, where nothing holds it and it would fall so; else None."""
+        low, high = self.levels()[-1], self.height_m
+        if high - low < LEAST_PART_M:
+            return None
+        site = weakest.span(self, [low], low, high)
+        return None if site is None else self.at(site)
+
+    def span(self, low_m, foot_m, hinge_m, high_m):
+        """Vertical bending of a foot to a level that holds, open at a hinge.
+
+        `low_m` is the level that holds below it, which may be the foot.
+        """
+        name = f"vertical bending from {foot_m:.2f} to {high_m:.2f} m, open at {hinge_m:.2f} m"
+        mechanism, place = self.bent(foot_m, hinge_m, high_m), self._place(foot_m, high_m)
+        on_ground, part = self.base_m + foot_m <= 0.0, f"from_{float(low_m)}_to_{float(high_m)}"
+        given = name, mechanism, foot_m, place, on_ground
+        return Candidate(*given, hinge_m=hinge_m, held_m=high_m, part=part)
+
+    def bent(self, low_m, hinge_m, high_m):
+        """Two blocks between two levels that hold, all above bearing on them."""
+        m, inset = self.masonry, self.settings["hinge_inset_m"]
+        back = max(m.faces(hinge_m)[0], m.faces(hinge_m, above=False)[0])
+        joint = (back + inset, hinge_m)
+        outer = m.faces(high_m, above=False)[1]
+        between = [row for row in self.loads if low_m < row[2] < high_m - NEAR_M]
+        above = [row for row in self.loads if row[2] >= high_m - NEAR_M]
+        if high_m < m.top_m - NEAR_M:
+            above += m.masses(high_m, m.top_m)
+        return bending(
+            "vertical bending",
+            m.masses(low_m, hinge_m),
+            m.masses(hinge_m, high_m),
+            (self._edge(low_m, inset), low_m),
+            joint,
+            (outer, high_m),
+            between,
+            above,
+            [p for p in self.pulls if low_m + NEAR_M < p.height_m < high_m - NEAR_M],
+        )
+
+    def corner(self, side, foot_m=None):
+        """A corner that turns about the bisector's normal through its outer edge.
+
+        None takes the foot at which it is weakest.
+
+        The crack leaves the edge at the foot and climbs at `corner_crack_deg` from the vertical
+        along both walls; displacements stay parallel to the bisector's plane. Of façade and return
+        wall, the return wall without openings.
+        """
+        if foot_m is None:
+            (foot_m,) = (one.foot_m for one in weakest.corners(self) if one.side == side)
+        tangent = math.tan(math.radians(self.settings["corner_crack_deg"]))
+        root, inset = math.sqrt(0.5), self.settings["hinge_inset_m"]
+        front = self.masonry.faces(foot_m)[1]
+        masses = [
+            (w, -root * (x + front - y), z)
+            for w, x, y, z in self.masonry.wedge(foot_m, tangent, side)
+        ]
+        masses += self._return_wedge(foot_m, tangent, self.wall["thickness_m"], root)
+        found = toppling("corner", masses, (-inset, foot_m), (-inset, self.height_m))
+        name, on_ground = (
+            f"{CORNERS[side]} corner above {foot_m:.2f} m",
+            self.base_m + foot_m <= 0.0,
+        )
+        given = name, found, foot_m, self._place(foot_m, self.height_m), on_ground
+        return Candidate(*given, side=side, part=f"{CORNERS[side]}_corner")
+
+    def _return_wedge(self, foot_m, tangent, depth_m, root):
+        """Its part of the return wall, behind the façade's thickness."""
+        found = []
+        for z, step in self.masonry.strips(foot_m):
+            back, front = self.masonry.faces(z)
+            reach = (z - foot_m) * tangent - (front - back)
+            weight = reach * step * depth_m * self.masonry.unit_weight
+            lever = front - back + 0.5 * reach + 0.5 * depth_m
+            found.append((weight, -root * lever, z))
+        return [row for row in found if row[0] > 0.0]
+
+    def at(self, site):
+        """`Candidate` of a `Site`."""
+        if site.side:
+            return self.corner(site.side, site.foot_m)
+        if site.held_m is not None:
+            low = float(site.part.split("_")[1])
+            return self.span(low, site.foot_m, site.hinge_m, site.held_m)
+        words = site.words or self.feet().get(site.foot_m) or "between feet"
+        name = WHOLE if site.part == WHOLE_PART else f"part above {site.foot_m:.2f} m ({words})"
+        return self.part(site.foot_m, name, site.part)
+
+    def measure(self, site):
+        """What a site is ranked by: the PGA at which its check fails, or α0 without `slv`."""
+        one = self.at(site)
+        if self.slv is not None:
+            return self.slv(one)
+        return one.mechanism.multiplier() if one.mechanism.falls() else math.inf
+
+    def sites(self):
+        """`Site` of every mechanism, the whole façade first."""
+        return weakest.parts(self) + weakest.spans(self) + weakest.corners(self)
+
+    def spans(self):
+        """Vertical bending between every two levels that hold, where it falls."""
+        return [self.at(site) for site in weakest.spans(self)]
+
+    def all(self):
+        """Every mechanism, the whole façade first; a ValueError where one falls at rest."""
+        found = [self.at(site) for site in self.sites()]
+        for one in found:
+            if one.mechanism.multiplier() <= 0.0:
+                raise ValueError(f"{one.name}: does not stand under its own weight")
+        return found

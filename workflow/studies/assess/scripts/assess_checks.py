@@ -1,0 +1,31 @@
+"""PGA at which each check of a code just fails, record by record, its own spectrum scaled."""
+
+import json
+
+from rocking.records import load_as
+from rocking.risk.sufficiency import properties
+from rocking.runtime.script import run
+from rocking.tables import write_table
+from studies.assess.code_checks import failing_pga, mechanism_of, pulse_share
+
+
+def main(job):
+    settings, rows = json.loads(job.params.settings), []
+    mechanism = mechanism_of(settings)
+    for name, station in job.params.records.items():
+        record = load_as(settings, name, job.params.table)
+        of_record = {
+            "record": name,
+            "station": station,
+            "pulse_share": pulse_share(record),
+            "pgv_over_pga_s": properties(record)["pgv_over_pga_s"],
+        }
+        given = mechanism, settings, record, settings["directions"], settings["ida.max_pga_g"]
+        rows += [
+            {**of_record, "direction": direction, "check": key, "pga_fails_g": pga_g}
+            for direction, key, pga_g in failing_pga(*given)
+        ]
+    write_table(rows, job.output[0])
+
+
+run(main, globals())

@@ -1,0 +1,131 @@
+"""Which mechanisms of a façade are shaken: each as a case of its own, under each model.
+
+The whole façade, and every other plane mechanism that fails by hand below
+`assessment.shaken_within` times the demand's PGA: what is near the demand, whatever the weakest
+does. Corners do not turn over the whole width, and parts that are too stocky to rock slide first:
+they are judged by hand alone, and the reason is said. The whole façade, one mechanism above a cut,
+and a span of it are all cases (`Case.part`).
+
+By default no friction of floors holds the façade while it is shaken (`settled`): by hand it is left
+out too, since nobody has verified that it lasts until collapse.
+"""
+
+import copy
+
+import pandas as pd
+from rocking.collapse.case import Case
+from rocking.configuration.facade import TooStockyError
+from rocking.tables import read_frame
+
+from studies.assess.anchors import completed
+from studies.assess.dynamic_check import Limits, limits_of
+from studies.assess.sites import WHOLE_PART
+
+COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "side", "pga_fails_g"]
+COLUMNS += ["d0_m", "d_slv_m", "d_slc_m", "shaken", "why_not", "why_words"]
+SETTLED = (  # keys that say what holds a façade while it is shaken
+    *("floor_friction", "anchor_plate_m", "masonry_shear_mpa", "masonry_compression_mpa"),
+    "confidence_factor",
+)
+CORNER, FAR, STOCKY, REFUSED = "corner", "far", "stocky", "refused"  # why one is not shaken
+WORDS = {
+    CORNER: "turns about a corner, not over the whole width",
+    STOCKY: "lower than twice its thickness, so that it slides before it rocks",
+}
+
+
+def heights(one):
+    """Foot, held level and hinge of a `family.Candidate`, as `Case.part` takes them."""
+    return one.foot_m, one.held_m, one.hinge_m
+
+
+def is_far(table):
+    """Mask of the mechanisms of `chosen` that are left out since they fail far later by hand."""
+    return table["why_not"].fillna("") == FAR
+
+
+def label(one):
+    """Short name of a mechanism, of letters, digits, `_` and `.`; unique within a façade."""
+    return one.part
+
+
+def settled(case, own):
+    """A case as it is shaken, by the keys SETTLED of section assessment.
+
+    Friction of floors holds it as stated or not at all; every anchor of a tie has a capacity.
+    """
+    facade = copy.deepcopy(completed(case["facade"], own))
+    if not own["floor_friction"]:
+        for row in facade["floors"]:
+            row["friction"] = 0.0
+    return Case({**case.sections, "facade": facade})
+
+
+def settled_by(settings):
+    """Keys SETTLED of `settings`, which has them by dotted key or in section assessment."""
+    own = settings.get("assessment") or {}
+    return {key: own.get(key, settings.get(f"assessment.{key}")) for key in SETTLED}
+
+
+def rubs(facade):
+    """Whether floors of a section facade hold it by friction."""
+    return any(row["friction"] and row["load_kn"] for row in facade["floors"])
+
+
+def why_not(one, pga_g, least_g, tried):
+    """Key of why a mechanism is not shaken, and the reason in words; both empty if it is.
+
+    `least_g` is the PGA by hand from which on it is left out; `tried` has a case of each model.
+    """
+    if not one.plane:
+        return CORNER, WORDS[CORNER]
+    if not one.whole and pga_g > least_g:
+        return FAR, f"fails by hand at {pga_g:.3g} g"
+    try:
+        for case in tried:
+            case.part(*heights(one))
+    except TooStockyError:
+        return STOCKY, WORDS[STOCKY]
+    except ValueError as error:
+        return REFUSED, getattr(error, "detail", str(error))
+    return "", ""
+
+
+def chosen(ranked, tried, demand_g, within):
+    """Which mechanisms are shaken, and why the others are not: COLUMNS, in the order of `ranked`.
+
+    One of `code_checks.governing` is shaken where it fails by hand below `within` times the
+    demand's PGA and is a case of each of `tried`, one of each model.
+    """
+    rows = []
+    for pga_g, one, _ in ranked:
+        why = why_not(one, pga_g, within * demand_g, tried)
+        about = label(one), one.name, *heights(one), one.side, pga_g
+        rows.append((*about, *limits_of(one.mechanism), int(not why[0]), *why))
+    return pd.DataFrame(rows, columns=COLUMNS)
+
+
+def cases(case, table):
+    """Case of each mechanism that is shaken by the table of `chosen`: (row, Case).
+
+    `case` is the façade's. Those that fail first by hand come first.
+    """
+    for row in table[table["shaken"] == 1].sort_values("pga_fails_g").itertuples():
+        if row.part == WHOLE_PART:
+            yield row, case
+        else:
+            held = (None if pd.isna(v) else v for v in (row.held_m, row.hinge_m))
+            yield row, case.part(row.foot_m, *held)
+
+
+def cases_of(case, path=None):
+    """Cases by part: of the whole façade; with the file of a table what else is shaken, instead."""
+    if path is None:
+        return {WHOLE_PART: case}
+    every = cases(case, read_frame(path))
+    return {row.part: own for row, own in every if row.part != WHOLE_PART}
+
+
+def limits_by_part(table):
+    """`Limits` by part of a table of `chosen`."""
+    return {row.part: Limits(row.d0_m, row.d_slv_m, row.d_slc_m) for row in table.itertuples()}

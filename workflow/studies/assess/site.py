@@ -1,0 +1,134 @@
+"""The shaking to assess a façade for: a spectrum from a file, or a shape at a hazard's PGA."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+from rocking.records.text import read_text
+from rocking.risk.hazard import read_hazard
+
+from studies.assess import national
+from studies.assess.demand import RecordDemand, TableDemand
+
+COLUMNS = ("period_s", "sa_g")
+LONGEST = 10_000
+PERIODS_S = np.concatenate(([0.0], np.geomspace(0.05, 4.0, 31)))
+
+
+class SpectrumError(ValueError):
+    """A spectrum that cannot be used; its text is one line."""
+
+
+def demand_said(own, sites):
+    """Where the demand is from, in words: of section assessment and the site's files."""
+    if own["spectrum"]:
+        return f"the spectrum in {own['spectrum']}"
+    once = f" once in {own['return_period_years']:g} years"
+    if (row := national.stated_row(own)) is not None:
+        return (
+            f"the spectrum of NTC 2018{once if own['hazard'] else ''} for a_g = "
+            f"{row['ag_g']:.3g} g, F0 = {row['f0']:.3g}, T_C* = {row['tc_star_s']:.3g} s, subsoil "
+            f"{own['soil']}, topography {own['topography']}"
+        )
+    names = ", ".join(Path(str(s)).name for s in sites)
+    return f"that of {names}{once}, with the median shape of the motions' spectra"
+
+
+def read_spectrum(path):
+    """Read an elastic spectrum of 5 % damping, columns period_s and sa_g, separated by commas.
+
+    Lines that begin with # are remarks. Periods ascend from 0, where the value is the PGA, to 1 s
+    or beyond. A SpectrumError names file and line and what was expected.
+    """
+    lines = [
+        (n, s)
+        for n, s in enumerate(read_text(path).lines, 1)
+        if s.strip() and not s.startswith("#")
+    ]
+    if not lines or tuple(w.strip() for w in lines[0][1].split(",")) != COLUMNS:
+        found = lines[0][1][:60] if lines else "nothing"
+        raise SpectrumError(f"{path}: columns '{found}'; expected {','.join(COLUMNS)}")
+    if len(lines) > LONGEST:
+        raise SpectrumError(f"{path}: more than {LONGEST} rows")
+    points: list[tuple[float, float]] = []
+    for n, text in lines[1:]:
+        words = text.split(",")
+        try:
+            values = [float(word) for word in words]
+        except ValueError:
+            values = []
+        if len(values) != 2 or not all(map(math.isfinite, values)) or values[1] <= 0.0:
+            raise SpectrumError(
+                f"{path}: line {n}: {text.strip()[:40]!r}; expected a period and a positive sa_g"
+            )
+        if points and values[0] <= points[-1][0]:
+            raise SpectrumError(f"{path}: line {n}: period {values[0]:g} s does not ascend")
+        points.append((values[0], values[1]))
+    if len(points) < 3 or points[0][0] != 0.0 or points[-1][0] < 1.0:
+        raise SpectrumError(
+            f"{path}: expected three or more rows, from period 0 (the PGA) to 1 s or beyond"
+        )
+    return TableDemand(*np.array(points).T)
+
+
+def pga_at(hazard, return_period_years):
+    """PGA with a rate of exceedance of one in the return period [g], on the hazard's power laws.
+
+    A SpectrumError where the curve is of another measure, or does not reach that rate.
+    """
+    rate = 1.0 / return_period_years
+    if hazard.measure != "pga_g":
+        raise SpectrumError(f"hazard of {hazard.measure}; expected pga_g, or a spectrum")
+    low, high = hazard.annual_rate[-1], hazard.annual_rate[0]
+    if not low <= rate <= high:
+        raise SpectrumError(
+            f"hazard from {low:.3g} to {high:.3g} a year; expected it to reach {rate:.3g} "
+            f"(return_period_years = {return_period_years:g})"
+        )
+    x, y = np.log(hazard.intensity)[::-1], np.log(hazard.annual_rate)[::-1]
+    return float(np.exp(np.interp(math.log(rate), y, x)))
+
+
+def shapes(records):
+    """Spectra of 5 % damping over the PGA, a row a record, at `PERIODS_S`."""
+    found = []
+    for record in records:
+        demand = RecordDemand(record.acceleration_m_s2, record.dt_s)
+        found.append([demand.acceleration(t) / demand.pga_g for t in PERIODS_S])
+    return np.array(found)
+
+
+def at_pga(shape, pga_g):
+    """The median shape of the records at a PGA."""
+    return TableDemand(PERIODS_S, pga_g * np.median(shape, axis=0))
+
+
+def demand_from(settings, records, spectrum, hazard):
+    """The ground's demand: of a table, of NTC 2018, or the median shape at the hazard's PGA.
+
+    The first that is stated of the file of a spectrum, and in section assessment of `hazard` (rows
+    of NTC 2018) and `ag_g`; else that of the file of a hazard curve, where the shapes of `records`
+    stand for the site's. Files are empty where there is none; `settings` are sections smdof and
+    assessment, and risk.site.
+    """
+    own = settings["assessment"]
+    if spectrum:
+        return read_spectrum(str(spectrum))
+    if (row := national.stated_row(own)) is not None:
+        return national.spectrum_of(row, own["soil"], own["topography"])
+    curve = read_hazard(str(hazard), settings["smdof"]["period_s"], settings["risk.site"])
+    return at_pga(shapes(records), pga_at(curve, own["return_period_years"]))
+
+
+def hazards_of(own, curve=None, name=""):
+    """Hazard curves of the PGA that a site has, by what they are called; the code's own first.
+
+    `curve` is that of risk.hazard, `name` that of its file; of another measure it gives no rate
+    here.
+    """
+    found = {}
+    if own["hazard"]:
+        found["NTC 2018"] = national.curve_of(own["hazard"], own["soil"], own["topography"])
+    if curve is not None and curve.measure == "pga_g":
+        found[name] = curve
+    return found

@@ -1,0 +1,138 @@
+"""PGA at which the non-linear SLV check of a mechanism fails: what mechanisms are ranked by.
+
+Feet, hinges and corners are chosen by it, so thousands of mechanisms of one façade are asked for
+it. A place's displacement spectrum and its largest values are therefore known once.
+
+A tie or an anchor that gives way early may be left out of a mechanism (`readings`). C8.7.1.2.1.6
+takes d_SLV as the least of 0.4 d0 and of the displacement at which a link's failure takes more than
+half of the largest acceleration. So a façade with a brittle tie may fail at a lower PGA than the
+same façade without it. But 0.4 d0 is asked of a curve "with those actions alone whose presence is
+verified until collapse": a link that gives way before is none of these. It only ever pulls back, so
+the curve without it lies nowhere above the curve with it, and the check of that curve holds for the
+façade with the link. Both numbers are told, and the larger counts.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from rocking.mechanics.mechanism import Mechanism
+
+from studies.assess import checks
+from studies.assess.demand import PERIOD_STEP, SHORTEST, FloorDemand, displacement, floor_demand
+
+LOWEST, HIGHEST = -120, 60  # powers of PERIOD_STEP between which spectra are kept: 0.1 ms to 100 s
+
+
+def damaged(sections):
+    """Period factor and damping of the building at ultimate states, for `floor_demand`."""
+    own, stated = sections["assessment"], sections["smdof"]["damping_ratio"]
+    damping = own["building_damping"]
+    return own["building_period_factor"], stated if damping is None else damping
+
+
+def readings(mechanism):
+    """A mechanism as it is, then without the links that give way, the earliest first.
+
+    A link is left out where its end sets d_SLV (`Mechanism.limit`). The last one has none such.
+    """
+    found = [mechanism]
+    while (early := found[-1].early(checks.LIMITS["SLV"][0])) is not None:
+        found.append(found[-1].without(early))
+    return found
+
+
+class Counted(NamedTuple):
+    """What counts of a mechanism: it, or it without links that give way early.
+
+    PGAs are those of the SLV check [g].
+    """
+
+    mechanism: Mechanism
+    pga_g: float
+    letter_pga_g: float  # with every link that it has
+    left_out: int  # links
+
+
+class Slv:
+    """The non-linear SLV check of mechanisms under one demand on the ground.
+
+    Of sections smdof and assessment. Called with a `family.Candidate` it returns the PGA at which
+    the check fails [g], of ground and floor the less, and of `readings` the largest; infinite where
+    the multiplier never vanishes, 0 where it is not positive at rest.
+    """
+
+    def __init__(self, sections, demand):
+        """Keep what every mechanism takes."""
+        own, self.demand, self.chain = sections["assessment"], demand, sections["smdof"]
+        self.factor = checks.confidence(own["confidence_factor"], own["hinge_inset_m"])
+        self.damaged = damaged(sections)
+        self._floors: dict[float, FloorDemand] = {}
+        self._spectra: dict[tuple, np.ndarray] = {}
+
+    def places(self, candidate):
+        """Demands that a mechanism is held to, and where each is, by "ground" and "height"."""
+        place = candidate.place
+        if place not in self._floors:
+            self._floors[place] = floor_demand(self.demand, place, self.chain, damaged=self.damaged)
+        found = {"height": (self._floors[place], f"at {place:.3g} of the height")}
+        if candidate.on_ground:
+            found = {"ground": (self.demand, "on the ground"), **found}
+        return found
+
+    def __call__(self, candidate):
+        """Return the PGA at which the check fails [g]."""
+        return self.reading(candidate).pga_g
+
+    def letter(self, candidate):
+        """PGA at which the check fails with every link that the mechanism has [g]."""
+        own = candidate.letter or candidate.mechanism
+        return self._pga_g(own, candidate) if own.falls() else math.inf
+
+    def reading(self, candidate):
+        """`Counted` of a candidate: that of the largest PGA, the fewest links left out."""
+        if candidate.mechanism.multiplier() <= 0.0:
+            return Counted(candidate.mechanism, 0.0, 0.0, 0)
+        if not candidate.mechanism.falls():
+            return Counted(candidate.mechanism, math.inf, math.inf, 0)
+        every = readings(candidate.mechanism)
+        pga_g = [self._pga_g(one, candidate) for one in every]
+        best = int(np.argmax(pga_g))
+        return Counted(every[best], float(pga_g[best]), float(pga_g[0]), best)
+
+    def _pga_g(self, mechanism, candidate):
+        """PGA at which the check of one reading fails [g]; as `checks.nonlinear` has it."""
+        share, factor, damping = checks.LIMITS["SLV"]
+        control = mechanism.limit(share)[0]
+        d = control * mechanism.participation()[2]
+        a = checks.capacity_at(mechanism, control, self.factor, candidate.t0_s)
+        period = factor * math.pi * math.sqrt(d / a)
+        found = []
+        for demand, _ in self.places(candidate).values():
+            needed = self._largest(demand, candidate.t0_s, period, damping)
+            onset = checks.onset(mechanism, demand, self.factor, candidate.t0_s)[1]
+            found.append(max(demand.pga_g * d / needed, onset))
+        return min(found)
+
+    def _largest(self, demand, low_s, high_s, damping):
+        """Largest spectral displacement between two periods [m], see `largest_displacement`."""
+        key = id(demand), damping  # those of `places`, which are kept
+        if key not in self._spectra:
+            periods = PERIOD_STEP ** np.arange(LOWEST, HIGHEST + 1)
+            values = [displacement(demand, float(t), damping) for t in periods]
+            self._spectra[key] = np.array(values)
+        low = max(low_s, high_s / SHORTEST)
+        first, last = (math.ceil(math.log(t) / math.log(PERIOD_STEP)) for t in (low, high_s))
+        own = self._spectra[key][max(first, LOWEST) - LOWEST : min(last, HIGHEST) - LOWEST]
+        most = displacement(demand, high_s, damping)
+        flat_s = getattr(demand, "ground", demand).flat_from_s
+        if low < flat_s < high_s:
+            most = max(most, displacement(demand, flat_s, damping))
+        return max(most, float(own.max())) if own.size else most
+
+
+def read_as(candidate, reading):
+    """A candidate with the mechanism that counts; `letter` is with every link."""
+    if not reading.left_out:
+        return candidate
+    return candidate._replace(mechanism=reading.mechanism, letter=candidate.mechanism)

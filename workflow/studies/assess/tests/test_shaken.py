@@ -1,0 +1,128 @@
+"""What is shaken, what holds it then, and how far each mechanism is followed."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from rocking import Case, Motion
+from rocking.configuration import config
+from rocking.risk.hazard import Hazard
+from studies.assess import collapses, shaken
+from studies.assess.code_checks import family_of, governing
+from studies.assess.code_spectrum import CodeDemand
+from studies.assess.dynamic_answer import left_out
+from studies.assess.national import return_period_of
+
+DEMAND = CodeDemand(0.16, 2.5, 0.31, "C")
+FACADE = {"height_m": 8.0, "thickness_m": 0.5, "width_m": 8.0, "density_kg_m3": 1800.0}
+FACADE |= {"parapet_height_m": 1.2, "parapet_thickness_m": 0.3, "ties": [{"height_m": 4.0}]}
+FACADE |= {"floors": [{"height_m": 4.0, "load_kn": 40.0, "friction": 0.3}]}
+CHAIN = {"n_dof": 2, "period_s": 0.3}
+HELD = {"floor_friction": False, "anchor_plate_m": 0.3, "masonry_shear_mpa": 0.05}
+HELD |= {"masonry_compression_mpa": 2.6, "confidence_factor": 1.2}
+
+
+def table(within, demand=DEMAND):
+    settings = config.resolve({"facade": FACADE, "smdof": CHAIN})
+    ranked = governing(family_of(settings, demand).all(), settings, demand)
+    damping = {"law": "value", "beta_s": 0.001}
+    case = Case.configured("W1", {"facade": FACADE, "smdof": CHAIN, "damping": damping})
+    return shaken.chosen(ranked, [case], demand.pga_g, within), case
+
+
+def test_the_demand_decides_and_not_the_weakest():
+    """Everything plane below the factor of the demand; the others by a key, and all named."""
+    found, _ = table(1.0)
+    near = found["pga_fails_g"] <= DEMAND.pga_g
+    plane = found["side"] == 0
+    far = found["why_not"] == shaken.FAR
+    assert near.any()
+    assert not (far & near).any()
+    assert set(found.loc[~plane, "why_not"]) == {shaken.CORNER}
+    every = (
+        found["shaken"].astype(bool)
+        | far
+        | found["why_not"].isin((shaken.CORNER, shaken.STOCKY, shaken.REFUSED))
+    )
+    assert every.all()
+    fewer, _ = table(1.0, CodeDemand(0.06, 2.5, 0.31, "C"))  # none is near a weak demand
+    assert set(fewer.loc[fewer["shaken"] == 1, "part"]) == {"whole"}
+    assert found.loc[found["part"] == "whole", "shaken"].iloc[0] == 1
+
+
+def test_what_is_too_stocky_is_known_by_the_kind_of_its_refusal():
+    found, _ = table(100.0)
+    stocky = found[found["why_not"] == shaken.STOCKY]
+    assert (8.0 + 1.2 - stocky["foot_m"] < 2.0 * 0.5 + 1e-9).all()
+
+
+def test_friction_of_floors_holds_nothing_unless_it_is_said_to():
+    case = Case.configured("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
+    found = shaken.settled(case, HELD)
+    assert [row["friction"] for row in found["facade"]["floors"]] == [0.0]
+    assert found["facade"]["ties"][0]["anchor_kn"] == pytest.approx(
+        1e-3 * 0.05e6 / 2.4 * 4.0 * 0.8 * 0.5
+    )
+    kept = shaken.settled(case, {**HELD, "floor_friction": True})
+    assert [row["friction"] for row in kept["facade"]["floors"]] == [0.3]
+    assert [row["friction"] for row in case["facade"]["floors"]] == [0.3]  # it is as it was
+    assert shaken.rubs(case["facade"])
+    assert not shaken.rubs(found["facade"])
+
+
+def test_a_part_of_the_parapet_stands_on_the_top_of_the_building():
+    case = Case.configured("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
+    part = case.part(8.5)["facade"]
+    assert part["height_m"] == pytest.approx(0.7)
+    assert (part["base_height_m"], part["sides"]) == (8.0, "two")
+    gable = {**FACADE, "parapet_height_m": 0.0, "gable_height_m": 2.0}
+    case = Case.configured("W1", {"facade": gable, "damping": {"law": "value", "beta_s": 1e-3}})
+    part = case.part(8.5)["facade"]
+    assert (part["height_m"], part["width_m"]) == (pytest.approx(1.5), pytest.approx(6.0))
+
+
+@pytest.mark.slow
+def test_climbs_that_end_where_another_has_fallen_lose_no_first_collapse():
+    """The least of all mechanisms under each motion, with and without the early ends."""
+    found, case = table(3.0)
+    case = shaken.settled(case, HELD)
+    parts = {row.part: own for row, own in shaken.cases(case, found)}
+    assert len(parts) > 2
+    suite = "config/suites/recorded_suite.tsv"
+    turns = [(Motion.named(name, suite), "neg") for name in ("IS101_Lo", "GMN_NS")]
+    halves = []
+    for known in (None, [np.nan, np.nan]):
+        rows = collapses.by_part(parts, turns, 2.0, known)
+        half = [[row["pga_median_g"] for row in own] for own in rows.values()]
+        halves.append(np.nanmin(half, axis=0))
+    assert halves[1] == pytest.approx(halves[0], rel=0.02)
+
+
+def test_what_was_not_shaken_is_bounded_by_what_falls_earliest_against_its_check():
+    """λ = 1e-3 (0.1/x)²; of two mechanisms one falls at 0.6 of its check by hand: so may others.
+
+    In closed form λ_c = 1e-3 (0.1/θ)² exp(2 β²), θ = 0.6 times 0.5 g, β the larger of both.
+    """
+    intensity = np.array([0.01, 0.1, 1.0])
+    hazards = {"site": Hazard("pga_g", intensity, 1e-3 * (0.1 / intensity) ** 2)}
+    rows = [("a", 0.18, 0.3, 0), ("b", 0.5, 0.5, 0), ("c", 0.1, 0.9, 40)]
+    columns = ["part", "median_pga_g", "dispersion", "never_collapsed"]
+    parts = pd.DataFrame(rows, columns=columns).assign(model="W2", curves=44)
+    table = pd.DataFrame({"part": ["a", "b", "c", "corner"], "pga_fails_g": [0.3, 0.4, 0.6, 0.5]})
+    (row,) = left_out(parts, table.assign(shaken=[1, 1, 1, 0]), hazards).itertuples()
+    assert (row.part, row.median_pga_g, row.dispersion) == ("corner", pytest.approx(0.3), 0.5)
+    assert row.rate_bound == pytest.approx(1e-3 * (0.1 / 0.3) ** 2 * np.exp(2 * 0.25), rel=1e-6)
+
+
+def test_the_return_period_of_a_capacity_is_read_off_the_rows():
+    """At a row's own PGA its period, between two by the power law, beyond them in words."""
+    rows = [
+        {"return_period_years": t, "ag_g": a, "f0": 2.4, "tc_star_s": 0.3}
+        for t, a in ((30, 0.05), (475, 0.16), (2475, 0.3))
+    ]
+    own = {"hazard": rows, "soil": "A", "topography": "T1"}
+    assert return_period_of(own, 0.16) == "475"
+    share = np.log(0.2 / 0.16) / np.log(0.3 / 0.16)
+    assert int(return_period_of(own, 0.2)) == pytest.approx(475 * (2475 / 475) ** share, abs=0.6)
+    assert return_period_of(own, 0.04) == "less than 30"
+    assert return_period_of(own, 0.5) == "more than 2475"
+    assert return_period_of({**own, "hazard": []}, 0.1) is None

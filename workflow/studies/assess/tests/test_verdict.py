@@ -1,0 +1,233 @@
+"""What the report says first, of tables whose verdict is plain to see."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from rocking.mechanics.mechanism import WHOLE
+from studies.assess.advice import damage, next_steps
+from studies.assess.verdict import (
+    capacity,
+    decided_by,
+    dynamic_check,
+    headline,
+    held_or_not,
+    kinematic,
+    passes,
+    powered,
+    suite,
+)
+
+CHECKS = pd.DataFrame({"check": ["linear_ground"], "pga_demand_g": [0.2], "ratio": [1.2]})
+SHAKEN = pd.DataFrame({"part": ["whole"], "mechanism": [WHOLE], "shaken": [1], "why_not": [""]})
+SHAKEN = SHAKEN.assign(held_m=np.nan, pga_fails_g=0.25, why_words="")
+FACADE = {"courses": 4, "base": "study", "base_stiffness_pa_m": None}
+
+
+def mechanisms(**pga_fails_g):
+    rows = [
+        (name, WHOLE if name == "whole" else name, "as stated", 0.0, pga_g, pga_g)
+        for name, pga_g in pga_fails_g.items()
+    ]
+    columns = ["part", "mechanism", "kind", "foot_m", "pga_fails_g", "pga_letter_g"]
+    return pd.DataFrame(rows, columns=columns).assign(held_m=np.nan, links_left_out=0)
+
+
+def verdicts(*slv, agree=1.0):
+    rows = [(f"W{i}", 11, 0 if one else 2, 0.05, 0.1, one, agree) for i, one in enumerate(slv, 1)]
+    names = ["model", "motions", "exceed_d0", "mean_d_m", "d_slv_m", "slv", "agree"]
+    return pd.DataFrame(rows, columns=names).assign(d0_m=0.25, part="whole")
+
+
+def dynamic(stations):
+    enough = stations >= 7
+    row = {"model": "W2", "stations": stations, "curves": stations, "fell_at_demand": 1}
+    row |= {"least_pga_g": 0.15, "probability": 0.3 if enough else np.nan}
+    row |= {"probability_low": 0.1, "probability_high": 0.6}
+    return pd.DataFrame([row])
+
+
+@pytest.mark.parametrize(
+    ("found", "words"),
+    [
+        (verdicts(True, True), "is fulfilled for every model"),
+        (verdicts(False, False), "is not fulfilled for any model"),
+        (verdicts(True, False), "is fulfilled for W1 and not for W2"),
+        (verdicts(True, agree=0.9), "for W1 the verdict hangs on the numerics"),
+        (pd.DataFrame(), "was not made: too few motions"),
+    ],
+)
+def test_the_dynamic_checks_sentence(found, words):
+    assert words in dynamic_check(found, (-0.05, 0.2, True), SHAKEN)
+
+
+def test_a_facade_passes_where_every_model_holds_and_the_worst_of_them_governs():
+    """W1 at 0.5 of d_SLV and W2 beyond d0: W2 governs; where both hold, the nearer to d_SLV."""
+    stood = mechanisms(whole=0.25)
+    assert passes(CHECKS, stood, verdicts(True, True)) == (True, True)
+    assert passes(CHECKS, stood, verdicts(True, False)) == (True, False)
+    assert passes(CHECKS, mechanisms(whole=0.15), verdicts(True, True)) == (False, True)
+    assert passes(CHECKS, stood, pd.DataFrame()) == (True, None)
+    assert decided_by(verdicts(True, False)) == "W2"
+    assert decided_by(verdicts(True, True).assign(mean_d_m=[0.06, 0.05])) == "W1"
+    assert decided_by(verdicts(False, True).assign(mean_d_m=[0.02, 0.09])) == "W1"
+
+
+def test_a_check_that_holds_in_too_few_draws_counts_as_not_passed_and_says_so():
+    doubt = verdicts(True, True, agree=0.94).assign(part="whole")
+    assert passes(CHECKS, mechanisms(whole=0.25), doubt) == (True, False)
+    said = headline(CHECKS, mechanisms(whole=0.25), doubt, SHAKEN, "In 475 years", 1.35, FACADE)
+    assert "does not pass: life safety (SLV) is lost under recorded motions" in said[0]
+    assert "only in 94 % of draws of perturbed ones" in said[2]
+    assert list(held_or_not(doubt)) == ["in doubt", "in doubt"]
+    assert list(held_or_not(verdicts(True, False))) == ["held", "not held"]
+    assert passes(CHECKS, mechanisms(whole=0.25), doubt.assign(agree=0.95)) == (True, True)
+
+
+@pytest.mark.parametrize(
+    ("pga_g", "slv", "words"),
+    [
+        (0.25, True, "passes: life safety (SLV) is kept up to 125 %"),
+        (0.15, True, "does not pass: life safety (SLV) is lost at 75 %"),
+        (
+            0.25,
+            False,
+            "does not pass: life safety (SLV) is lost under recorded motions; by hand it is kept "
+            "up to 125 %",
+        ),
+    ],
+)
+def test_the_first_sentence_says_by_which_check_life_safety_is_lost(pga_g, slv, words):
+    found = verdicts(slv).assign(part="whole")
+    said = headline(CHECKS, mechanisms(whole=pga_g), found, SHAKEN, "In 475 years", 1.35, FACADE)
+    assert words in said[0]
+
+
+def test_a_link_that_sets_d_slv_is_named():
+    """d_SLV of 0.1 m is 0.4 d0 of 0.25 m; of 0.5 m it is less, so a tie or an anchor gives way."""
+    lost = verdicts(True, False)
+    said = dynamic_check(lost, (-0.05, 0.2, True), SHAKEN)
+    assert "50 mm with W1, 50 mm with W2 (2 beyond d0); d_SLV there is 100 mm." in said
+    early = lost.assign(d0_m=0.5)
+    assert "100 mm, where a tie or an anchor gives way." in dynamic_check(
+        early, (0, 0.2, True), SHAKEN
+    )
+    rounded = lost.assign(d_slv_m=0.149749, d0_m=0.374374)  # six figures of 0.4 d0
+    assert "a tie or an anchor" not in dynamic_check(rounded, (0, 0.2, True), SHAKEN)
+    stood = mechanisms(whole=0.25)
+    assert any("let the rods yield" in s for s in next_steps(CHECKS, stood, early, SHAKEN))
+    assert not any("let the rods yield" in s for s in next_steps(CHECKS, stood, lost, SHAKEN))
+
+
+def test_a_check_that_fails_before_a_damaged_building_is_named():
+    rows = [("damaged building, 20 %", 2.0, "slv_height", 0.82), ("smdof.period_s", 1.25, "x", 1)]
+    found = pd.DataFrame(rows, columns=["key", "factor", "check", "ratio"])
+    said = damage(found, mechanisms(whole=0.25), 0.2)
+    assert "period times 2 (damaged building, 20 % damping), at 82 % of the demand's" in said
+    assert damage(found, mechanisms(whole=0.15), 0.2) == ""  # it fails as stated
+    assert damage(found.assign(ratio=1.1), mechanisms(whole=0.25), 0.2) == ""
+
+
+def test_motions_that_do_not_fit_are_said():
+    assert "does not fit" in dynamic_check(verdicts(True), (-0.2, 0.2, False), SHAKEN)
+    assert "does not fit" not in dynamic_check(verdicts(True), (-0.05, 0.2, True), SHAKEN)
+
+
+def test_below_seven_stations_no_share_and_no_interval():
+    """One, two and six stations: counts in words; seven: a share with its interval."""
+    for stations in (1, 2, 6):
+        said = suite(dynamic(stations))
+        assert "%" not in said
+        assert "no interval" in said
+        assert f"1 of {stations} (the first at 0.15 g)" in said
+    assert "30 % with W2 (10 to 60 %)" in suite(dynamic(7))
+    never = dynamic(7).assign(probability=1e-4, probability_low=0.0, probability_high=2e-3)
+    assert "a probability of under 1 % with W2; in" in suite(never)
+    assert "over 99 % with W2; in" in suite(never.assign(probability_low=1.0, probability_high=1.0))
+
+
+def test_what_is_recommended_hangs_on_what_fails():
+    weak = next_steps(CHECKS, mechanisms(whole=0.15, corner=0.3), verdicts(True), SHAKEN)
+    assert weak[0].startswith(f"Tie or hold the façade against: the {WHOLE} (0.15 g).")
+    for other in ("vertical bending from 0.00 to 3.50 m", "left corner above 0.00 m"):  # feet at 0
+        weak = mechanisms(whole=0.3, **{other: 0.25})
+        said = next_steps(CHECKS, weak, verdicts(True), SHAKEN)
+        assert f"{other}, was not shaken: it is judged by the kinematic checks alone" in said[-1]
+    second = CHECKS.assign(ratio=0.62)
+    worse = second.assign(ratio=0.15)
+    found = [second.assign(check="en_sd_height"), worse.assign(check="parts_height"), CHECKS]
+    (said,) = next_steps(pd.concat(found), mechanisms(whole=0.25), verdicts(True), SHAKEN)
+    assert "do not pass: EN 1998-3 at 62 %, NZS 1170.5 at 15 % of the demand's PGA." in said
+    lost = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, False), SHAKEN)
+    assert "The kinematic check passes and the dynamic one does not (W2)" in lost[0]
+    unsure = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, agree=0.9), SHAKEN)
+    assert "hangs on single histories" in " ".join(unsure)
+    (sound,) = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True), SHAKEN)
+    assert "nothing else is asked for" in sound
+
+
+def test_the_verdict_says_what_moves_and_when_it_rests_on_motions_that_do_not_fit():
+    bent = "vertical bending from 0.00 to 6.00 m, open at 4.50 m"
+    found = verdicts(True).assign(part="whole", mean_d_m=0.05)
+    given = CHECKS, mechanisms(whole=0.25)
+    said = headline(*given, found, SHAKEN, "In 475 years", 1.35, FACADE, (-0.05, 0.2, True))
+    assert f"the weakest of 1 mechanisms, the {WHOLE}, holds" in said[1]
+    assert f"the top of the {WHOLE} moves 50 mm in the mean of 11 histories" in said[2]
+    assert "bounds" not in said[2]
+    assert "draws" not in said[2]
+    bending = SHAKEN.assign(mechanism=bent, held_m=6.0)
+    unsure = found.assign(agree=0.8, slv=False)
+    said = headline(*given, unsure, bending, "In 475 years", 1.35, FACADE, (-0.1, 1.0, False))
+    assert f"the joint of {bent}, moves 50 mm" in said[2]
+    assert "; 80 % of draws of single histories say the same." in said[2]
+    assert said[2].endswith("does not fit the demand within the code's bounds.")
+    said = headline(*given, pd.DataFrame(), SHAKEN, "In 475 years", 1.35, FACADE)
+    assert "the façade passes by hand: life safety" in said[0]
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        (0.0035, "0.0035"),
+        (8.8e-5, "8.8·10⁻⁵"),
+        (3e-4, "3.0·10⁻⁴"),
+        (1.2e-11, "1.2·10⁻¹¹"),
+        (0, "0"),
+    ],
+)
+def test_small_rates_are_said_in_powers_of_ten(value, words):
+    assert powered(value) == words
+
+
+def test_page_1_names_the_wall_and_what_was_not_shaken_with_the_reason():
+    rows = [("corner", "left corner above 5.00 m", np.nan, "corner", 0.31)]
+    rows += [
+        ("low", "part above 5.70 m (tie)", np.nan, "stocky", 0.5),
+        ("bent", "vertical bending", 3.0, "far", 0.9),
+    ]
+    left = pd.DataFrame(rows, columns=["part", "mechanism", "held_m", "why_not", "pga_fails_g"])
+    shaken = pd.concat([SHAKEN, left.assign(shaken=0, why_words="")], ignore_index=True)
+    given = CHECKS, mechanisms(whole=0.25), verdicts(True), shaken, "In 475 years", 1.35
+    said = headline(*given, FACADE)
+    assert said[0].endswith("The wall that is shaken is an elastic wall in 4 courses.")
+    block = headline(*given, {**FACADE, "courses": 0})[0]
+    assert block.endswith("is one rigid block on even springs of E/h.")
+    assert said[2].endswith(
+        "Not shaken, judged by hand alone: the left corner above 5.00 m (0.31 g), which do not "
+        "turn over the whole width; the part above 5.70 m (0.5 g), lower than twice its thickness, "
+        "so that it slides first; vertical bending (0.9 g), by hand far from the demand."
+    )
+    assert "of the 1 mechanism that was shaken is fulfilled" in said[2]
+
+
+def test_a_brittle_link_is_told_by_both_numbers():
+    early = mechanisms(whole=0.217).assign(links_left_out=1, pga_letter_g=0.0564)
+    said = kinematic(early, 0.2336)
+    assert f"the {WHOLE} 0.0564 g by the letter, 0.217 g without them" in said
+    assert "C8.7.1.2.1.6" in said
+    assert "give way early" not in kinematic(mechanisms(whole=0.217), 0.2336)
+
+
+def test_the_capacity_has_a_ratio_and_a_return_period():
+    stated = mechanisms(whole=0.1)
+    assert capacity(stated, 0.2, "123").endswith("a return period of 123 years.")
+    assert "ζE = 0.50" in capacity(stated, 0.2, None)

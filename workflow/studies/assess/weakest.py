@@ -1,0 +1,190 @@
+"""Where the mechanisms of a façade are weakest: feet between changes, hinges, corners.
+
+Every function takes a `family.Family` and returns `Site`s. What a site is ranked by is smooth
+between the heights at which the façade changes, and jumps there: it is sampled on both sides of
+each change and between, and the best sample is followed down (`_least`). Squat parts are included:
+what is too squat to turn never loses its multiplier, and is ranked last.
+"""
+
+import itertools
+import math
+
+import numpy as np
+from scipy.optimize import minimize_scalar
+
+from studies.assess.sites import CORNERS, LEAST_PART_M, WHOLE_PART, Site
+
+BESIDE_M = 0.02  # of a change: what lies just above it or below
+BLOCK_M = 0.1  # least height of a block of vertical bending
+APART_M, FEET_APART_M = 0.25, 0.5  # of samples between two changes; of feet that bend
+HINGES = 13  # samples of a hinge over a span, closer towards its ends
+CORNER_FEET = 12  # samples of a corner's foot
+NEAR_M = 0.03  # to which a height is found
+EVALUATIONS = 10  # of following one height down
+ROUNDS, SETTLED = 5, 0.995  # of following foot and hinge; a round gains more, or is the last
+STARTS = 6  # feet from which bending is followed
+NEVER = 1e6  # of what never fails, for arithmetic
+WORTH = 0.99  # of the feet either side: a foot between them counts from there on
+
+
+def _least(measure, low_m, high_m, start, best):
+    """Height between two, and its measure, followed down from a sample; no worse than that."""
+    if high_m - low_m < NEAR_M:
+        return start, best
+    found = minimize_scalar(
+        lambda z: min(measure(z), NEVER),
+        bounds=(low_m, high_m),
+        method="bounded",
+        options={"xatol": NEAR_M, "maxiter": EVALUATIONS},
+    )
+    return (float(found.x), float(found.fun)) if found.fun < best else (start, best)
+
+
+def _sampled(low_m, high_m, apart_m=APART_M):
+    """Samples of an interval between two changes: beside its ends, and between.
+
+    A link that gives way early sets d_SLV for some feet and not for others: there what a site is
+    ranked by jumps too, so that samples are close.
+    """
+    if high_m - low_m < 3.0 * BESIDE_M:
+        return []
+    count = 2 + max(1, math.ceil((high_m - low_m) / apart_m))
+    return np.linspace(low_m + BESIDE_M, high_m - BESIDE_M, count).tolist()
+
+
+def parts(family):
+    """Parts above every foot, and between two feet the weakest where it is weaker than both."""
+    found, listed_m, top = feet(family), family.feet(), family.masonry.top_m
+    if family.slv is None:  # α0 has no minimum between two feet
+        return found
+    listed = {site.foot_m: family.measure(site) for site in found}
+    ends = [*listed_m, top - LEAST_PART_M]
+    for low, high in itertools.pairwise(ends):
+        part = f"between_{low}_and_{float(round(high, 6))}"
+        words = f"between {low:.2f} and {high:.2f} m"
+
+        def measure(z, part=part):
+            return family.measure(Site(part, float(z)))
+
+        samples = [(measure(z), z) for z in _sampled(low, high)]
+        if not samples:
+            continue
+        best, at = min(samples)
+        places = [low, *(z for _, z in samples), high]
+        k = places.index(at)
+        at, best = _least(measure, places[k - 1] + NEAR_M, places[k + 1] - NEAR_M, at, best)
+        if best < WORTH * min(listed[low], listed.get(high, math.inf)):
+            found.append(Site(part, at, words=words))
+    return sorted(found, key=lambda site: site.foot_m)
+
+
+def feet(family):
+    """Parts above every foot."""
+    names = {z: f"above_{z}" if z else WHOLE_PART for z in family.feet()}
+    return [Site(names[z], z, words=words) for z, words in family.feet().items()]
+
+
+def spans(family):
+    """Vertical bending between every two levels that hold, of each the weakest that falls."""
+    pairs = itertools.combinations(family.levels(), 2)
+    found = [bending(family, low, high) for low, high in pairs]
+    return [site for site in found if site is not None]
+
+
+def bending(family, low_m, high_m):
+    """Vertical bending between two levels that hold, the weakest that falls; None where none does.
+
+    Its foot lies between the lower level and the next one.
+    """
+    next_m = min(z for z in family.levels() if z > low_m)
+    own = [low_m, *(z for z in family.feet() if low_m < z < next_m)]
+    if family.slv is None:
+        return span(family, own, low_m, high_m)
+    for a, b in itertools.pairwise([*own, next_m]):
+        own = [*own, *_sampled(a, b, FEET_APART_M)]
+    return span(family, own, low_m, high_m, next_m)
+
+
+def span(family, feet, low_m, high_m, next_m=None):
+    """Bending up to one level, the weakest by foot and hinge; None where none falls.
+
+    Feet to begin with, of which the best moves up to `next_m`; None keeps it.
+    """
+    part, memo = f"from_{float(low_m)}_to_{float(high_m)}", {}
+
+    def measure(foot, hinge):
+        key = round(float(foot), 4), round(float(hinge), 4)
+        if key not in memo:
+            site = Site(part, float(foot), float(hinge), high_m)
+            memo[key] = family.measure(site)
+        return memo[key]
+
+    samples = [
+        (measure(foot, hinge), foot, hinge)
+        for foot in feet
+        for hinge in _hinges(family, foot, high_m)
+    ]
+    firsts: dict[float, tuple] = {}  # of every foot its weakest hinge
+    for value, foot, hinge in sorted(samples):
+        firsts.setdefault(foot, (value, foot, hinge))
+    starts = [one for one in list(firsts.values())[:STARTS] if math.isfinite(one[0])]
+    if not starts:
+        return None
+    best = min(_followed(family, measure, (low_m, high_m, next_m), feet, one) for one in starts)
+    return Site(part, best[1], best[2], high_m)
+
+
+def _followed(family, measure, ends_m, feet, start):
+    """Measure, foot and hinge, each followed down in turn from a start (measure, foot, hinge).
+
+    `ends_m` are the levels that hold and the height up to which the foot moves, or None.
+    """
+    (low_m, high_m, next_m), (best, foot, hinge) = ends_m, start
+    for _ in range(1 if next_m is None else ROUNDS):
+        before, near = best, sorted({foot, high_m, *_hinges(family, foot, high_m), hinge})
+        k = near.index(hinge)
+        ends = near[max(k - 2, 0)], near[min(k + 2, len(near) - 1)]
+        ends = max(ends[0], foot + BLOCK_M), min(ends[1], high_m - BLOCK_M)
+        hinge, best = _least(lambda z, foot=foot: measure(foot, z), *ends, hinge, best)
+        if next_m is not None:
+            last = min(next_m, hinge - BLOCK_M)
+            below = max((z for z in feet if z < foot), default=low_m)
+            above = min((z for z in feet if z > foot), default=last)
+            ends = max(below, low_m), min(above, last)
+            foot, best = _least(lambda z, hinge=hinge: measure(z, hinge), *ends, foot, best)
+        if best > SETTLED * before:
+            break
+    return best, foot, hinge
+
+
+def _hinges(family, foot_m, high_m):
+    """Heights at which a span is tried, closer towards its ends, and every change between."""
+    low, high = foot_m + BLOCK_M, high_m - BLOCK_M
+    if high <= low:
+        return []
+    angles = np.linspace(0.0, math.pi, HINGES)
+    found = {float(z) for z in low + 0.5 * (1.0 - np.cos(angles)) * (high - low)}
+    for z, _ in family.changes():
+        found |= {near for near in (z, z - BESIDE_M, z + BESIDE_M) if low < near < high}
+    return sorted(found)
+
+
+def corners(family):
+    """Both corners, each at its weakest foot; none without return walls. No tie holds them."""
+    if not family.wall["count"]:
+        return []
+    last = family.height_m - LEAST_PART_M
+    edges = [z for z in family.masonry.edges_m if 0.0 < z < last]
+    samples = sorted({*np.linspace(0.0, last, CORNER_FEET).tolist(), *edges})
+    found = []
+    for side, word in CORNERS.items():
+
+        def measure(z, side=side):
+            return family.measure(Site("", float(z), side=side))
+
+        values = [measure(z) for z in samples]
+        k = int(np.argmin(values))
+        ends = samples[max(k - 1, 0)], samples[min(k + 1, len(samples) - 1)]
+        foot, _ = _least(measure, *ends, samples[k], values[k])
+        found.append(Site(f"{word}_corner", foot, side=side))
+    return found

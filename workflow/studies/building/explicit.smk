@@ -1,0 +1,111 @@
+# The building by explicit integration in YADE, as a check of its modes and of what gravity does at once.
+from yade_scripts.model.gravity import GRAVITY_M_S2
+
+
+def explicit_size(run):
+    """Brick size of the explicit run."""
+    return f"{RUNS.settings[run]['building']['explicit_coarsening']:g}"
+
+
+rule building_explicit_scene:
+    input:
+        plan=plan_file("building.plan"),
+        fit=rules.building_fit.output[0],
+    output:
+        results("building/explicit_scene_{coarsening}.json"),
+    params:
+        building=values_of(
+            "building",
+            *BRICK_MODEL,
+            "damping_ratio",
+            "explicit_step_fraction",
+            "explicit_duration_s",
+        ),
+    script:
+        "scripts/building_explicit_scene.py"
+
+
+# The drawing's building under the record, with its dead load applied at once or left out.
+rule building_explicit:
+    input:
+        scene=of_run(rules.building_explicit_scene.output[0], coarsening=explicit_size),
+        record=rules.own_record.output.record,
+        yade=rules.yade_check.output[0],
+        modules=command_code("explicit_building"),
+    output:
+        history=results("building/explicit_{load}_{record}.csv"),
+        cost=results("building/explicit_{load}_{record}.json"),
+    log:
+        logs("building_explicit_{load}_{record}"),
+    benchmark:
+        benchmarks("building_explicit_{load}_{record}")
+    wildcard_constraints:
+        load="plain|loaded",
+    params:
+        yade=YADE,
+        gravity=lambda w: {"plain": 0.0, "loaded": GRAVITY_M_S2}[w.load],
+    shell:
+        "{params.yade} explicit_building --scene {input.scene:q} --motion {input.record:q}"
+        " --gravity {params.gravity} --output {output.history:q} --cost {output.cost:q}"
+        " 2> {log:q}"
+
+
+rule table_building_explicit:
+    input:
+        plan=plan_file("building.plan"),
+        fit=rules.building_fit.output[0],
+        scene=of_run(rules.building_explicit_scene.output[0], coarsening=explicit_size),
+        plain=of_run(rules.building_explicit.output.history, load="plain"),
+        loaded=of_run(rules.building_explicit.output.history, load="loaded"),
+        record=rules.own_record.output.record,
+        facts=rules.own_record.output.facts,
+    output:
+        **figure(
+            "fig03_rattling_{record}",
+            "Building",
+            "explicit and modal, rattling",
+            about="fig03_rattling",
+            record="{record}",
+        ),
+        table=results("tables/building_explicit_{record}.csv"),
+    params:
+        building=values_of("building", *BRICK_MODEL),
+    script:
+        "scripts/table_building_explicit.py"
+
+
+rule building_explicit_cost:
+    input:
+        scene=rules.building_explicit_scene.output[0],
+        record=of_run(
+            rules.own_record.output.record,
+            record=lambda run: RUNS.named("building.wme_records")(run)[0],
+        ),
+        yade=rules.yade_check.output[0],
+        modules=command_code("explicit_building"),
+    output:
+        history=temp(results("building/explicit_cost_{coarsening}.csv")),
+        cost=results("building/explicit_cost_{coarsening}.json"),
+    log:
+        logs("building_explicit_cost_{coarsening}"),
+    params:
+        yade=YADE,
+        steps=value_of("building.explicit_cost_steps"),
+    shell:
+        "{params.yade} explicit_building --scene {input.scene:q} --motion {input.record:q}"
+        " --steps {params.steps} --output {output.history:q} --cost {output.cost:q}"
+        " 2> {log:q}"
+
+
+rule table_building_explicit_cost:
+    input:
+        cost=of_run(
+            rules.building_explicit_cost.output.cost,
+            coarsening=sizes("explicit_convergence"),
+        ),
+    output:
+        shown_table("building_explicit_cost", "Building", "cost of the explicit run"),
+    params:
+        coarsenings=value_of("building.explicit_convergence"),
+    script:
+        "scripts/table_building_explicit_cost.py"

@@ -1,0 +1,34 @@
+"""What is chosen of a building's modes, and the number of masses, by hand."""
+
+import numpy as np
+import pytest
+from rocking.building.modes import Modes
+from studies.building.comparison import choose_n
+from studies.building.readings import first_mode
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2, 3, 4, 5), (5, 4, 3, 2, 1, 0), (4, 0, 3, 5, 1, 2)])
+def test_the_fewest_masses_are_chosen_whatever_the_order_of_the_rows(order):
+    """Means 0.30, 0.12, 0.11: within 0.2 of what follows the first, within 0.01 the second."""
+    rows = [(2, 0.2), (2, 0.4), (4, 0.1), (4, 0.14), (6, 0.1), (6, 0.12)]
+    rows = [rows[k] for k in order]
+    assert choose_n(rows, 0.2) == 2
+    assert choose_n(rows, 0.0101) == 4
+    assert choose_n(rows, 0.005) == 6
+
+
+def modes(along_y):
+    """Modes with such shares of the mass along y."""
+    ratio = np.zeros((len(along_y), 6))
+    ratio[:, 1] = along_y
+    found = object.__new__(Modes)
+    object.__setattr__(found, "effective_ratio", ratio)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("along_y", "by_mass", "first"), [((0.04, 0.2, 0.7), 2, 1), ((0.3, 0.6, 0.05), 1, 0)]
+)
+def test_the_first_mode_is_that_of_the_most_mass_or_the_first_with_much(along_y, by_mass, first):
+    assert first_mode(modes(along_y), "mass") == by_mass
+    assert first_mode(modes(along_y), "first") == first

@@ -1,0 +1,14 @@
+"""Peak displacements of the shake-table runs."""
+
+from rocking.mechanics.restitution import read_archive
+from rocking.runtime.script import run
+from rocking.tables import read_json, write_table
+from studies.calibration.shake_table import COLUMNS, row_of
+
+
+def main(job):
+    runs = zip(read_json(job.input.tests), read_archive(job.input.histories), strict=True)
+    write_table([row_of(test, done) for test, done in runs], job.output[0], COLUMNS)
+
+
+run(main, globals())
