@@ -41,7 +41,7 @@ def test_no_pair_of_packages_points_both_ways():
             if mine[:1] != theirs[:1] and mine and theirs:
                 on[mine[0]].add(theirs[0])
     both = {tuple(sorted((a, b))) for a in on for b in on[a] if a in on.get(b, ())}
-    assert len(on) > 10
+    assert len(on) >= 10
     assert both == set()
 
 
