@@ -330,7 +330,8 @@ def yielding_motions(
 class _Modes:
     """Modes of a chain, φᵀMφ = 1, and their exact flow over a step under a straight ground motion.
 
-    `shape` φ (floors, modes), `drift` Bφ (storeys, modes), `gamma` φᵀM1, `damping` 2ζω, `square` ω².
+    `shape` φ (floors, modes), `drift` Bφ (storeys, modes), `gamma` φᵀM1, `damping` 2ζω, `square`
+    ω².
     """
 
     def __init__(self, chain, ratios, step_s):
