@@ -257,10 +257,11 @@ def yielding_motions(
     """Floor accelerations of a chain whose storeys yield, at several amplitudes side by side.
 
     M ü + C u̇ + K u = −M 1 a_g + Bᵀ r, with B u the drifts and r = K B u − V what yielding takes off
-    the elastic shear. The modes of the left side move exactly between samples (Nigam and Jennings,
-    1969); at each sample the storeys push with the impulse h Bᵀ r, half of it before the sample and
-    half after (Strang, 1968). Second order in the step h, and exact while nothing yields. C is that
-    of the elastic chain, a ratio in every mode.
+    the elastic shear. The modes move exactly under loads that are straight within a step (Nigam and
+    Jennings, 1969); over a step r goes on as it did over the last one (exponential Adams–Bashforth
+    of second order; Cox and Matthews, 2002, J. Comput. Phys. 176, eq. 13). So a chain that rests
+    beside where it stood rests, and one that does not yield is exact. C is that of the elastic
+    chain, a ratio in every mode.
 
     Parameters
     ----------
@@ -305,7 +306,6 @@ def yielding_motions(
         less = storeys_of.k * moved - storeys_of.move(moved)
         whole = storeys_of.peak_m.max(axis=0) <= storeys_of.u_y  # nothing but rounding
         push = np.where(whole, 0.0, less) @ modes.drift  # on each mode
-        speed = speed + (0.5 * h * push if i else 0.0)
         viscous = modes.damping * speed
         inertia = -modes.gamma * (factors * a_g)[:, None]
         weight = h * (0.5 if i in (0, ground.size - 1) else 1.0)
@@ -315,8 +315,10 @@ def yielding_motions(
             floors[:, :, i // every] = -(viscous + modes.square * place - push) @ modes.shape.T
         np.maximum(drift, np.abs(storeys_of.drift_m), out=drift)
         if i + 1 < ground.size:
-            at = (factors * a_g)[:, None], (factors * ground[i + 1])[:, None]
-            place, speed = modes.moved(place, speed + 0.5 * h * push, *at)
+            ahead = 2.0 * push - (pushed if i else push)
+            after = -modes.gamma * (factors * ground[i + 1])[:, None]
+            place, speed = modes.moved(place, speed, inertia + push, after + ahead)
+            pushed = push
     energy = {
         "input": spent[0],
         "viscous": spent[1],
@@ -345,7 +347,7 @@ class _Modes:
         pole = -self.decay + 1j * self.swing
         self.turn = np.exp(pole * step_s)
         loads = [step_integrals(one, step_s) for one in pole]
-        self.old, self.new = -self.gamma * np.array(loads).T
+        self.old, self.new = np.array(loads).T
 
     def moved(self, place, speed, before, after):
         """Place and speed of each mode a step on; z = q̇ − λ̄q obeys ż = λz + f."""

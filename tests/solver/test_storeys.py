@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 from rocking import Motion, collapse_curve, history
+from rocking.collapse.curve import run_by
 from rocking.collapse.scan import carried_masses
+from rocking.solver import runs
 from rocking.solver import storeys as compiled
 
 from smdof import Chain
@@ -61,16 +63,37 @@ def test_three_routes_have_the_same_digits(law, more):
 
 
 def test_a_march_goes_on_where_another_ended():
-    """Two halves of a motion, the second from what the first left, are the whole."""
-    case, ground = yielding_cases.case(loops="peak_oriented"), yielding_cases.ground(3.0)
-    chain, middle = plain.chain_of(case, 0.001), 1300
+    """Two shocks, the second from what the first left once all is at rest, are the whole."""
+    case, one = yielding_cases.case(loops="peak_oriented"), yielding_cases.ground(3.0)
+    ground, middle = np.concatenate((one, np.zeros(9000), one)), 11000
+    chain = plain.chain_of(case, 0.001)
     for route in (plain, compiled):
         whole, end = route.march(chain, ground, [2.0])
-        first, state = route.march(chain, ground[: middle + 1], [2.0])
+        _, state = route.march(chain, ground[: middle + 1], [2.0])
         second, last = route.march(chain, ground[middle:], [2.0], state[0])
-        assert first[0] == pytest.approx(whole[0, :, : middle + 1], abs=1e-12)
-        assert second[0] == pytest.approx(whole[0, :, middle:], abs=1e-9)
-        assert last == pytest.approx(end, abs=1e-9)
+        fresh, _ = route.march(chain, ground[middle:], [2.0])
+        assert second[0] == pytest.approx(whole[0, :, middle:], abs=1e-6)
+        assert last == pytest.approx(end, abs=1e-6)
+        assert np.abs(fresh - second).max() > 0.1  # it starts damaged
+
+
+@pytest.mark.parametrize("law", plain.LAWS)
+def test_floors_come_to_rest_where_their_storeys_do(law):
+    """Accelerations of floors integrate to the drifts that remain: walls do not wander off."""
+    case = yielding_cases.case(ratio=0.08, loops=law)
+    step, pulse = 0.001, np.sin(np.linspace(0.0, np.pi, 250))
+    ground = np.concatenate((pulse, -0.5 * pulse, -0.5 * pulse, np.zeros(6000)))
+    chain = plain.chain_of(case, step)
+    floors, states = plain.march(chain, ground, [2.0])
+    apart = floors[0] - 2.0 * ground
+    speed = np.cumsum(step * apart, axis=1)
+    place = step * speed.sum(axis=1)
+    n = len(place)
+    drift = states[0, 2 * n :].reshape(n, plain.MEMORY)[:, plain.DRIFT]
+    peak = plain.largest_drift(states[0])
+    assert peak[0] > 3.0 * chain.storeys.yield_m[0]
+    assert np.diff(place, prepend=0.0) == pytest.approx(drift, abs=0.01 * peak.max())
+    assert np.abs(speed[:, -1]).max() < 1e-3 * np.abs(speed).max()
 
 
 @pytest.mark.parametrize("model", ["W2", "W2m"])
@@ -89,9 +112,6 @@ def test_so_strong_a_building_is_the_elastic_one(model, loops):
 @pytest.mark.parametrize("loops", plain.LAWS)
 def test_energy_of_a_facade_that_pushes_a_yielding_building_closes(loops):
     """Input = stored + dashpots + friction + hysteresis, within 0.5 % of the largest input."""
-    from rocking.collapse.curve import run_by
-    from rocking.solver import runs
-
     case = yielding_cases.case("W2m", 0.1, loops)
     screen = run_by("planar", case, Motion.named("RRS228"), "neg")
     (motions,), (factor,) = screen.shaking([0.15])
@@ -101,21 +121,23 @@ def test_energy_of_a_facade_that_pushes_a_yielding_building_closes(loops):
     left = found.input_j - (stored - stored[0]) - found.spent_j
     assert np.abs(left).max() < 5e-3 * np.abs(found.input_j).max()
     elastic = run_by("planar", yielding_cases.case("W2m", None), Motion.named("RRS228"), "neg")
-    other = runs.history(
-        elastic.planes[0], motions, screen.numerics, factor, **how | {"carried": elastic.carried}
-    )
-    assert np.abs(found.supports_m - other.supports_m).max() > 0.1 * np.abs(other.supports_m).max()
+    how["carried"] = elastic.carried
+    other = runs.history(screen.planes[0], motions, screen.numerics, factor, **how)
+    both = min(len(found.time_s), len(other.time_s))
+    apart = np.abs(found.supports_m[:both] - other.supports_m[:both]).max()
+    assert apart > 0.1 * np.abs(other.supports_m).max()
 
 
-def test_a_building_that_nothing_can_push_yields_as_the_chain_alone():
+@pytest.mark.parametrize("loops", plain.LAWS)
+def test_a_building_that_nothing_can_push_yields_as_the_chain_alone(loops):
     """W2m of 1e10 kg is W2: two routes to its floors, before the same façade."""
     motion = Motion.named("RRS228")
-    one = yielding_cases.case("W2", 0.15, "peak_oriented")
-    other = yielding_cases.case("W2m", 0.15, "peak_oriented")
+    one = yielding_cases.case("W2", 0.06, loops)
+    other = yielding_cases.case("W2m", 0.06, loops)
     other = other.varied({"return_wall.building_mass_kg": 1e10})
-    found = [history(case, motion, "neg", 0.12).d_over_b for case in (one, other)]
+    found = [history(case, motion, "neg", 0.08).d_over_b for case in (one, other)]
     assert found[1] == pytest.approx(found[0], rel=0.01)
-    elastic = history(yielding_cases.case("W2", None), motion, "neg", 0.12).d_over_b
+    elastic = history(yielding_cases.case("W2", None), motion, "neg", 0.08).d_over_b
     assert abs(found[0] / elastic - 1.0) > 0.05
 
 

@@ -6,9 +6,9 @@ elastic force, nothing until its largest drift exceeds u_y = V_y/k. The laws are
 needs no compiler, and the compiled solver has them for histories side by side.
 
 A chain that yields is M ü + C u̇ + K u = −M 1 a_g + Bᵀ r with B u the drifts. Its modes move exactly
-under a ground acceleration that is straight between samples; at each sample the storeys push with
-their impulse h Bᵀ r (Strang's splitting, second order in h). A chain that has not yielded is the
-elastic one.
+under loads that are straight within a step, and over a step r goes on as it did over the last one
+(exponential Adams–Bashforth of second order). So a chain that has not yielded is the elastic one,
+and one that rests beside where it stood rests: its accelerations integrate to where it is.
 """
 
 import math
@@ -129,7 +129,8 @@ class Chain(NamedTuple):
     damping_1_s: np.ndarray  # (n,) 2ζω
     square_1_s2: np.ndarray  # (n,) ω²
     flow: np.ndarray  # (n, 4) from place and speed to those a step later
-    load: np.ndarray  # (n, 4) of the ground's acceleration before and after on place and speed
+    load: np.ndarray  # (n, 4) of a load before and after on place and speed
+    inertia: np.ndarray  # (n,) load by the ground's acceleration, −φᵀM1
     storeys: Storeys
 
 
@@ -140,12 +141,8 @@ def chain_of(case, step_s):
     values, vectors = np.linalg.eigh(stiffness / one)
     phi = vectors / math.sqrt(one)
     damping = np.diag(phi.T @ damping @ phi)
-    load = -phi.T @ np.diag(mass)
-    flows, loads = [], []
-    for square, rate, gamma in zip(values, damping, load, strict=True):
-        flow, ramp = _exact(square, rate, step_s)
-        flows.append(flow)
-        loads.append(gamma * ramp)
+    exact = [_exact(square, rate, step_s) for square, rate in zip(values, damping, strict=True)]
+    flows, loads = zip(*exact, strict=True)
     drift = np.diff(phi, axis=0, prepend=0.0)
     return Chain(
         step_s,
@@ -155,6 +152,7 @@ def chain_of(case, step_s):
         values,
         np.array(flows),
         np.array(loads),
+        -phi.T @ np.diag(mass),
         storeys_of(case),
     )
 
@@ -289,7 +287,7 @@ def march(chain, ground_m_s2, factors, start=None):
 
 def _one(chain, ground, start):
     """Floors and end of one history, see `march`."""
-    step, n = chain.step_s, len(chain.square_1_s2)
+    n = len(chain.square_1_s2)
     loops = Loops(chain.storeys, start[2 * n :].reshape(n, MEMORY))
     modes, last = range(n), len(ground) - 1
     flow, load = chain.flow.tolist(), chain.load.tolist()
@@ -297,19 +295,20 @@ def _one(chain, ground, start):
     y, v = start[: 2 * n].reshape(n, 2).T.tolist()
     rows = np.empty((len(ground), n))  # of each mode: 2ζω q̇ + ω² q − what the storeys push
     damping, square, none = chain.damping_1_s.tolist(), chain.square_1_s2.tolist(), [0.0] * n
+    inertia, before = chain.inertia.tolist(), None
     for k, now in enumerate(ground):
         less = [loops.less(i, sum(map(float.__mul__, drift[i], y))) for i in modes]
         push = [sum(map(float.__mul__, row, less)) for row in across] if any(less) else none
-        if k:
-            v = [v[j] + 0.5 * step * push[j] for j in modes]
         rows[k] = [damping[j] * v[j] + square[j] * y[j] - push[j] for j in modes]
         if k == last:
             break
-        after = ground[k + 1]
+        after, before = ground[k + 1], push if before is None else before
         for j in modes:
             (a, b, c, d), (e, f, g, h) = flow[j], load[j]
-            place, speed = y[j], v[j] + 0.5 * step * push[j]
-            y[j] = a * place + b * speed + e * now + g * after
-            v[j] = c * place + d * speed + f * now + h * after
+            place, speed, mass = y[j], v[j], inertia[j]
+            old, new = mass * now + push[j], mass * after + 2.0 * push[j] - before[j]
+            y[j] = a * place + b * speed + e * old + g * new
+            v[j] = c * place + d * speed + f * old + h * new
+        before = push
     state = np.concatenate((np.array([y, v]).T.ravel(), loops.state.ravel()))
     return -(chain.shape @ rows.T), state

@@ -105,24 +105,23 @@ def _march(chain, ground, factors, state, push, rows):
     factors : ndarray, shape (1, WIDTH)
     state : ndarray, shape (2 n + MEMORY n, WIDTH)
         Place and speed of each mode, then what the storeys remember.
-    push : ndarray, shape (2 n, WIDTH)
+    push : ndarray, shape (3 n, WIDTH)
         Room.
     rows : ndarray, shape (nt n, WIDTH)
         Gets the floors' absolute accelerations.
     """
-    n, step, factor = chain.square_1_s2.size, chain.step_s, take(factors, 0)
+    n, factor = chain.square_1_s2.size, take(factors, 0)
     for k in range(ground.size):
         for i in range(n):
             u = like(0.0, factor)
             for j in range(n):
                 u += chain.drift[i, j] * take(state, 2 * j)
-            put(push, n + i, less(chain.storeys, i, state, 2 * n + MEMORY * i, u))
-        before = 0.5 * step if k > 0 else 0.0
+            put(push, 2 * n + i, less(chain.storeys, i, state, 2 * n + MEMORY * i, u))
         for j in range(n):
             force = like(0.0, factor)
             for i in range(n):
-                force += chain.drift[i, j] * take(push, n + i)
-            put(state, 2 * j + 1, take(state, 2 * j + 1) + before * force)
+                force += chain.drift[i, j] * take(push, 2 * n + i)
+            put(push, n + j, take(push, j) if k > 0 else force)  # of the step before
             put(push, j, force)
         for i in range(n):
             rise = like(0.0, factor)
@@ -135,14 +134,13 @@ def _march(chain, ground, factors, state, push, rows):
             return
         now, after = factor * ground[k], factor * ground[k + 1]
         for j in range(n):
-            place, flow, load = take(state, 2 * j), chain.flow[j], chain.load[j]
-            speed = take(state, 2 * j + 1) + 0.5 * step * take(push, j)
-            put(state, 2 * j, flow[0] * place + flow[1] * speed + load[0] * now + load[2] * after)
-            put(
-                state,
-                2 * j + 1,
-                flow[2] * place + flow[3] * speed + load[1] * now + load[3] * after,
-            )
+            place, speed, force = take(state, 2 * j), take(state, 2 * j + 1), take(push, j)
+            flow, load, mass = chain.flow[j], chain.load[j], chain.inertia[j]
+            old, new = mass * now + force, mass * after + 2.0 * force - take(push, n + j)
+            moved = flow[0] * place + flow[1] * speed + load[0] * old + load[2] * new
+            put(state, 2 * j, moved)
+            moved = flow[2] * place + flow[3] * speed + load[1] * old + load[3] * new
+            put(state, 2 * j + 1, moved)
 
 
 def march(chain, ground_m_s2, factors, start=None):
@@ -152,7 +150,7 @@ def march(chain, ground_m_s2, factors, start=None):
     floors = np.zeros((factors.size, n, ground.size))
     start = at_rest(chain) if start is None else start
     states = np.zeros((factors.size, start.size))
-    room, rows = rows_of_lanes(2 * n), rows_of_lanes(ground.size * n)
+    room, rows = rows_of_lanes(3 * n), rows_of_lanes(ground.size * n)
     for first in range(0, factors.size, WIDTH):
         some = factors[first : first + WIDTH]
         lanes, state = rows_of_lanes(1), rows_of_lanes(start.size)
