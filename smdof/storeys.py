@@ -300,7 +300,8 @@ def yielding_motions(
     kept = range(0, ground.size, every)
     floors = np.zeros((factors.size, chain.n_dof, len(kept)))
     place = np.zeros((factors.size, chain.n_dof))
-    speed, drift, spent = place.copy(), place.copy(), np.zeros((2, factors.size))
+    speed, drift, pushed = place.copy(), place.copy(), place.copy()
+    spent = np.zeros((2, factors.size))
     for i, a_g in enumerate(ground):
         moved = place @ modes.drift.T
         less = storeys_of.k * moved - storeys_of.move(moved)
@@ -315,7 +316,7 @@ def yielding_motions(
             floors[:, :, i // every] = -(viscous + modes.square * place - push) @ modes.shape.T
         np.maximum(drift, np.abs(storeys_of.drift_m), out=drift)
         if i + 1 < ground.size:
-            ahead = 2.0 * push - (pushed if i else push)
+            ahead = 2.0 * push - pushed
             after = -modes.gamma * (factors * ground[i + 1])[:, None]
             place, speed = modes.moved(place, speed, inertia + push, after + ahead)
             pushed = push
