@@ -106,7 +106,7 @@ def test_so_strong_a_building_is_the_elastic_one(model, loops):
         collapse_curve(yielding_cases.case(model, ratio, loops), motion, "neg", **how)
         for ratio in (None, 10.0)
     )
-    assert strong.table.equals(elastic.table)
+    assert strong.table[list(elastic.table)].equals(elastic.table)
 
 
 @pytest.mark.parametrize("loops", plain.LAWS)
