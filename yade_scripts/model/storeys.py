@@ -259,7 +259,7 @@ def largest_drift(state):
     return np.maximum(memory[..., OUT], memory[..., INWARD])
 
 
-def march(chain, ground_m_s2, factors, start=None):
+def march(chain, ground_m_s2, factors, start=None, floors=True):
     """Floors of a chain, and what it ends in, under a ground motion times each factor.
 
     Parameters
@@ -271,6 +271,8 @@ def march(chain, ground_m_s2, factors, start=None):
         With sign.
     start : ndarray, optional
         State in which all begin; see `at_rest`.
+    floors : bool
+        Whether they are wanted; else None takes their place.
 
     Returns
     -------
@@ -281,8 +283,8 @@ def march(chain, ground_m_s2, factors, start=None):
     """
     start = at_rest(chain) if start is None else start
     found = [_one(chain, (factor * ground_m_s2).tolist(), start) for factor in factors]
-    floors, states = zip(*found, strict=True)
-    return np.array(floors), np.array(states)
+    rows, states = zip(*found, strict=True)
+    return np.array(rows) if floors else None, np.array(states)
 
 
 def _one(chain, ground, start):

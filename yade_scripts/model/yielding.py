@@ -190,7 +190,7 @@ class YieldingFloors(ByAmplitude):
         if ground not in self._first:
             strong = self.chain.storeys._replace(yield_m=self.chain.storeys.yield_m + 1e9)
             chain = self.chain._replace(storeys=strong)
-            _, states = self.march(chain, self[ground], [1.0])
+            _, states = self.march(chain, self[ground], [1.0], floors=False)
             self._first[ground] = storeys.largest_drift(states[0])
         return self._first[ground]
 
@@ -201,7 +201,7 @@ class YieldingFloors(ByAmplitude):
         weak = np.flatnonzero(self._yields(GROUND, factors))
         if weak.size:
             start = self.start.get(GROUND)
-            _, states = self.march(self.chain, self[GROUND], factors[weak], start)
+            _, states = self.march(self.chain, self[GROUND], factors[weak], start, floors=False)
             found[weak] = storeys.largest_drift(states).max(axis=1) / self.height_m
         return found
 

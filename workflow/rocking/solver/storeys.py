@@ -22,7 +22,7 @@ from yade_scripts.model.storeys import (
     at_rest,
 )
 
-from .vectors import WIDTH, choose, like, put, rows_of_lanes, take
+from .vectors import WIDTH, choose, like, put, rows_of_lanes, some, take
 
 
 @inlined
@@ -71,6 +71,15 @@ def less(storeys, i, rows, at, u):
     k, u_y, soft = storeys.k_n_m[i], storeys.yield_m[i], 1.0 - storeys.hardening
     ends = max(take(rows, at + OUT), u), max(take(rows, at + INWARD), -u)
     worst = max(ends[0], ends[1])
+    if not some(worst > u_y):  # every history is elastic yet: nothing is taken, nothing spent
+        shear = k * u
+        work = 0.5 * (take(rows, at + SHEAR) + shear) * (u - take(rows, at + DRIFT))
+        put(rows, at + WORK, take(rows, at + WORK) + work)
+        put(rows, at + OUT, ends[0])
+        put(rows, at + INWARD, ends[1])
+        put(rows, at + DRIFT, u)
+        put(rows, at + SHEAR, shear)
+        return like(0.0, u)
     if storeys.law == PEAK_ORIENTED:
         found = k * u - _peak_oriented(storeys, k, u_y, rows, at, u, ends)
     elif storeys.law == ORIGIN_ORIENTED:
@@ -108,7 +117,7 @@ def _march(chain, ground, factors, state, push, rows):
     push : ndarray, shape (3 n, WIDTH)
         Room.
     rows : ndarray, shape (nt n, WIDTH)
-        Gets the floors' absolute accelerations.
+        Gets the floors' absolute accelerations; without rows nothing does.
     """
     n, factor = chain.square_1_s2.size, take(factors, 0)
     for k in range(ground.size):
@@ -123,7 +132,7 @@ def _march(chain, ground, factors, state, push, rows):
                 force += chain.drift[i, j] * take(push, 2 * n + i)
             put(push, n + j, take(push, j) if k > 0 else force)  # of the step before
             put(push, j, force)
-        for i in range(n):
+        for i in range(n if rows.shape[0] > 0 else 0):
             rise = like(0.0, factor)
             for j in range(n):
                 own = chain.damping_1_s[j] * take(state, 2 * j + 1)
@@ -143,22 +152,24 @@ def _march(chain, ground, factors, state, push, rows):
             put(state, 2 * j + 1, moved)
 
 
-def march(chain, ground_m_s2, factors, start=None):
+def march(chain, ground_m_s2, factors, start=None, floors=True):
     """Floors of a chain, and what it ends in, as `yade_scripts.model.storeys.march`, compiled."""
+    wanted = bool(floors)
     factors, n = np.asarray(factors, float), chain.square_1_s2.size
     ground = np.ascontiguousarray(ground_m_s2, float)
-    floors = np.zeros((factors.size, n, ground.size))
+    floors = np.zeros((factors.size, n, ground.size)) if wanted else None
     start = at_rest(chain) if start is None else start
     states = np.zeros((factors.size, start.size))
-    room, rows = rows_of_lanes(3 * n), rows_of_lanes(ground.size * n)
+    room, rows = rows_of_lanes(3 * n), rows_of_lanes(wanted * ground.size * n)
     for first in range(0, factors.size, WIDTH):
-        some = factors[first : first + WIDTH]
+        part = factors[first : first + WIDTH]
         lanes, state = rows_of_lanes(1), rows_of_lanes(start.size)
         state[:] = start[:, None]
-        lanes[0, : some.size] = some
+        lanes[0, : part.size] = part
         _march(chain, ground, lanes, state, room, rows)
-        own = slice(first, first + some.size)
-        found = rows.reshape(ground.size, n, WIDTH)[:, :, : some.size]
-        floors[own] = found.transpose(2, 1, 0)
-        states[own] = state.T[: some.size]
+        own = slice(first, first + part.size)
+        if floors is not None:
+            found = rows.reshape(ground.size, n, WIDTH)[:, :, : part.size]
+            floors[own] = found.transpose(2, 1, 0)
+        states[own] = state.T[: part.size]
     return floors, states
