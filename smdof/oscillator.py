@@ -59,7 +59,7 @@ def refine_linear(values, refine):
     return np.append(fine.ravel(), values[-1])
 
 
-def _step_integrals(pole, dt_s):
+def step_integrals(pole, dt_s):
     """Return ∫₀ʰ e^{λ(h−s)}(1 − s/h) ds and ∫₀ʰ e^{λ(h−s)}(s/h) ds for the pole λ and h = dt_s."""
     x = pole * dt_s
     if abs(x) > 0.1:
@@ -109,7 +109,7 @@ def oscillator_response(load_m_s2, dt_s, omega_rad_s, damping_ratio, q0_m=0.0, v
         raise ValueError(f"oscillator: damping ratio must be in [0, 1), got {damping_ratio}")
     omega_d = omega_rad_s * math.sqrt(1.0 - damping_ratio**2)
     pole = complex(-damping_ratio * omega_rad_s, omega_d)
-    old, new = _step_integrals(pole, dt_s)
+    old, new = step_integrals(pole, dt_s)
     start = v0_m_s - pole.conjugate() * q0_m
     z, _ = scipy.signal.lfilter(
         [new, old], [1.0, -np.exp(pole * dt_s)], load_m_s2, zi=[start - new * load_m_s2[0]]

@@ -6,7 +6,7 @@ import numpy as np
 
 from yade_scripts.commands import shaking
 from yade_scripts.engine import adapter, loop, simulate
-from yade_scripts.model import facade, models
+from yade_scripts.model import facade, models, yielding
 
 
 def chain_alone(config, ground, dt_s, beta_s=0.002):
@@ -48,9 +48,9 @@ def shaken(config, runs, time_s, columns):
         wall = {**config["return_wall"], "building_mass_kg": mass_kg}
         job = {**config, "return_wall": wall, "model": model, "beta_s": 0.002}
         scene = models.build_scene(job)
-        case = shaking.set_up(
-            scene, models.numerics(job), np.array(time_s), columns, *factor or (1.0,)
-        )
+        times = np.array(time_s)
+        moved = yielding.of_case(job, times, columns)
+        case = shaking.set_up(scene, models.numerics(job), times, moved, *factor or (1.0,))
         h = case.retried()
         found.append({"peak": h.peak_d_over_b, "status": h.status, "reason": h.reason})
     return found

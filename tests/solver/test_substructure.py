@@ -17,7 +17,7 @@ def chain(n=3, turning=True):
 
 def still(carried):
     """Carriers before the motion, and their supports with one that stands still."""
-    ride = substructure.Ride(*np.zeros((5, len(carried.mass_kg))))
+    ride = substructure.riding(carried, np.zeros(substructure.rows_of(carried)))
     return ride, Supports(*np.zeros((12, len(carried.hang) + 1)))
 
 

@@ -4,7 +4,7 @@ from yade_scripts.commands import perturb, shaking
 from yade_scripts.commands.journal import run_key
 from yade_scripts.commands.tables import run_row
 from yade_scripts.engine import memory
-from yade_scripts.model import floor_motions, models
+from yade_scripts.model import floor_motions, models, yielding
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.scene import to_json
 from yade_scripts.sources import digest
@@ -26,7 +26,9 @@ class Runner:
             first_s, first, pause_s = before
             moved = b"".join(values.tobytes() for values in (first_s, *first.values()))
             self.first = (moved, pause_s)
-        self.case, self.time_s, self.columns = case, time_s, columns
+        self.case, self.time_s = case, time_s
+        columns = yielding.of_case(case, time_s, columns)
+        self.columns = columns if before is None else yielding.following(columns, before[1])
         self.record, self.direction, self.journal, self.say = record, direction, journal, say
         self.digest = digest(__file__)
         self.scenes: dict = {}
@@ -38,7 +40,7 @@ class Runner:
         if extra_nodes not in self.scenes:
             case = {**self.case, "numerics": numerics}
             scene, self.columns = floor_motions.shaken(models.build_scene(case), self.columns)
-            motion = b"".join(self.columns[n].tobytes() for n in scene.motions)
+            motion = yielding.content(self.columns, scene.motions)
             self.scenes[extra_nodes] = (
                 scene,
                 run_key(to_json(scene), motion + self.time_s.tobytes(), self.digest, *self.first),

@@ -7,7 +7,7 @@
 The list has `cases`, a list or by name, each with::
 
     scene      case file, or its content
-    motion     floor motions (CSV), or {time_s, columns}
+    motion     floor motions (CSV), files of them by ascending intensity, or {time_s, columns}
     second     floor motions along the façade (CSV), or none
     record, direction
     changes    sections of the case that differ, or none
@@ -29,28 +29,35 @@ from yade_scripts.commands.runner import Runner
 from yade_scripts.commands.tables import KEY, REALISATION, RUN_COLUMNS, TWO_COMPONENTS, to_csv
 from yade_scripts.engine import adapter
 from yade_scripts.files import read_case, read_json, write_atomic
-from yade_scripts.model import floor_motions
+from yade_scripts.model import floor_motions, yielding
 from yade_scripts.model.motion import SIGNS, amplitude
 
 GIVEN = ("scene", "motion", "second", "record", "direction")
 
 
 def read_motion(given):
-    """Time and accelerations of a motion, from a file or as lists."""
+    """Time and accelerations of a motion, from a file, files by intensity, or as lists."""
     if isinstance(given, str):
         return floor_motions.read(given)
+    if isinstance(given, list):
+        levels = [floor_motions.read(path) for path in given]
+        return levels[0][0], yielding.TabulatedFloors([columns for _, columns in levels])
     columns = {name: np.array(values, float) for name, values in given["columns"].items()}
     return np.array(given["time_s"], float), columns
 
 
-def motion_of(case):
-    """Time and accelerations that shake a case, and the shock before them; None: there is none."""
+def motion_of(case, scene):
+    """Time and accelerations that shake a case, and the shock before them; None: there is none.
+
+    `scene` is the content of its case file.
+    """
     time_s, columns = read_motion(case["motion"])
     if case.get("second"):
         time_s, columns = floor_motions.with_second(time_s, columns, *read_motion(case["second"]))
     if not (before := case.get("before")):
         return time_s, columns, None
     first_s, first = read_motion(before["motion"])
+    first = yielding.of_case(scene, first_s, first)
     factor = amplitude(first["ground"], case["direction"], before["pga_g"])
     return time_s, columns, (first_s, floor_motions.scaled(first, factor), before["pause_s"])
 
@@ -59,7 +66,7 @@ def run_case(case, journal, say):
     """Rows of one case."""
     scene = read_case(case["scene"]) if isinstance(case["scene"], str) else case["scene"]
     own = {**scene, **case.get("changes", {})}
-    time_s, columns, before = motion_of(case)
+    time_s, columns, before = motion_of(case, own)
     record, direction = case["record"], case["direction"]
     runner = Runner(own, time_s, columns, record, direction, journal, say, before)
     rows: list[dict] = []

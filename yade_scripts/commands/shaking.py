@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from yade_scripts.engine import adapter, energy_check, simulate
-from yade_scripts.model import floor_motions, models
+from yade_scripts.model import floor_motions, models, yielding
 from yade_scripts.model.motion import amplitude
 
 RETRY_SAMPLING = 0.1  # of the sampling interval, for a run tried once more
@@ -73,7 +73,7 @@ def set_up(scene, numerics, time_s, columns, factor):
     has not. ValueError if the motion lacks a floor, or the stated step is beyond the critical one.
     """
     scene, columns = floor_motions.shaken(scene, columns)
-    moved = floor_motions.scaled({name: columns[name] for name in scene.motions}, factor)
+    moved = floor_motions.shaking(scene, columns, factor)
     motions = {name: adapter.SupportMotion(time_s, values) for name, values in moved.items()}
     horizontal = {name: motion for name, motion in motions.items() if name != scene.vertical}
     step, critical = simulate.choose_step(scene, numerics)
@@ -92,6 +92,7 @@ def set_up(scene, numerics, time_s, columns, factor):
 def of_case(case, time_s, columns, direction, pga_g):
     """Set up the shaking of a case file at one intensity [g]; see `set_up`."""
     factor = amplitude(columns["ground"], direction, pga_g)
+    columns = yielding.of_case(case, time_s, columns)
     return set_up(models.build_scene(case), models.numerics(case), time_s, columns, factor)
 
 

@@ -28,6 +28,7 @@ from typing import Any
 from yade_scripts.engine import floors, loop
 from yade_scripts.engine.links import built_stiffness
 from yade_scripts.model.motion import numbers
+from yade_scripts.model.storeys import sliding
 
 DRIVE = "InterpolatingDirectedForceEngine"  # moves the supports
 TOLERANCE = 0.1  # of the energy that overturns the façade
@@ -54,6 +55,12 @@ class EnergyCheck:
             frame = next(i for i, block in enumerate(scene.blocks) if not block.free)
         reference = scene.blocks[frame]
         self.omega, self.forces, self.links = omega, omega.forces, built.links
+        self.sliders = []  # (block of id1, block of id2, physics)
+        for k in sliding(scene) if scene.shaking else ():
+            floor, pair = scene.floors[k], built.floors[k]
+            blocks = dict(zip(pair, (floor.a, floor.b), strict=True))
+            contact = omega.interactions[pair]
+            self.sliders.append((blocks[contact.id1], blocks[contact.id2], contact.phys))
         self.nodes = set(built.node_body)
         self.base = omega.bodies[built.body[frame]].state
         names = sorted({(n, k) for b in scene.blocks if not b.free for k, n in b.drives})
@@ -156,7 +163,7 @@ class EnergyCheck:
         return own + self.raised()
 
     def _pushes(self, pull):
-        """Force of everything but links and inertia on each mass [N], and its speed [m/s]."""
+        """Force on each mass [N] but of links, sliding storeys and inertia; its speed [m/s]."""
         dt, at, force = self.omega.dt, {}, {}
         for index, body, state, mass, start in self.masses:
             # the step's links saw the position at its start, the velocity half a step earlier
@@ -169,6 +176,11 @@ class EnergyCheck:
             for i, sign in ((link.a, 1.0), (link.b, -1.0)):
                 if i in force:
                     force[i] += sign * held
+        for one, other, law in self.sliders:
+            shear = law.shearForce[1]  # on the second
+            for i, sign in ((one, 1.0), (other, -1.0)):
+                if i in force:
+                    force[i] += sign * shear
         return [(force[index], state.vel[1]) for index, _, state, *_ in self.masses]
 
 

@@ -41,12 +41,21 @@ def chain_matrices(smdof, mass_kg):
     return mass, stiffness, damping
 
 
+def yields(smdof):
+    """Whether section smdof states a strength: else its chain stays elastic."""
+    return smdof.get("base_shear_ratio") is not None
+
+
 def chain_links(smdof, mass_kg, masses, heights_m):
     """Links along y that have K and C of `chain_matrices`, between masses (indices of blocks).
 
-    Block 0 is the ground. ValueError if the matrices would need a negative spring or dashpot.
+    Block 0 is the ground. Of a chain that yields the springs are what is left of them beyond yield,
+    and the rest are `storeys.sliders`. ValueError if the matrices would need a negative spring or
+    dashpot.
     """
     _, stiffness, damping = chain_matrices(smdof, mass_kg)
+    if yields(smdof):
+        stiffness = smdof["hardening"] * stiffness
     least_k, least_c = (ROUNDING * np.abs(m).max() for m in (stiffness, damping))
     links = []
     for i, mass in enumerate(masses):

@@ -36,12 +36,13 @@ from yade_scripts.model.floors import facade_floors, level_loads
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.hinges import hinge_stiffness, pieces
 from yade_scripts.model.motion import along
-from yade_scripts.model.panels import base_block, hang_base
+from yade_scripts.model.panels import base_block, building_mass, hang_base
 from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
 from yade_scripts.model.rest import at_rest
 from yade_scripts.model.return_walls import WALL, add_return_walls, back_jkn
 from yade_scripts.model.scene import DOFS, DRY, NO_DRAG, Block, NodeList, Scene, box_inertia, held
 from yade_scripts.model.shape import is_plain, shape_of
+from yade_scripts.model.storeys import sliders
 from yade_scripts.model.ties import anchor_ties, facade_ties
 from yade_scripts.model.wall_motion import building_height, motion_of
 
@@ -123,7 +124,7 @@ def facade_scene(
     if hangs:
         blocks.append(base_block(config, blocks[0]))
         blocks[0] = replace(blocks[0], name=UNDER)
-    walls, links = [], []
+    walls, links, masses = [], [], []
     if walls_stand or hangs:
         walls, links, masses = add_return_walls(
             config, kind, beta_s, blocks, nodes, planar, motions, shape, walls_stand
@@ -155,10 +156,16 @@ def facade_scene(
         thickness_m=facade["thickness_m"] if is_plain(facade) else shape.overturning_m,
         links=[*links, *springs],
         ties=ties,
-        floors=floors + pressing,
+        floors=floors + pressing + _storeys(config, blocks, masses),
         shaking=GROUND if kind.two_way else None,
         notes={key: value for key, value in notes.items() if value},
     )
+
+
+def _storeys(config, blocks, masses):
+    """What yields between the masses of the chain, where these are part of the scene."""
+    heights = [blocks[i].centre_m[2] for i in masses]
+    return sliders(config, building_mass(config), masses, heights) if masses else []
 
 
 def _base_motion(config, motions):

@@ -14,10 +14,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from yade_scripts.model.motion import along
+from yade_scripts.model.motion import GROUND, VERTICAL, along
+from yade_scripts.model.yielding import ByAmplitude
 
-GROUND = "ground"
-VERTICAL = "vertical"
 UNIT = "_m_s2"
 
 
@@ -79,9 +78,21 @@ def with_second(time_s, columns, second_time_s, second):
 
 
 def scaled(columns, factor):
-    """Floor motions times a factor; its sign turns the horizontal ones, not the vertical one."""
+    """Floor motions at a factor; its sign turns the horizontal ones, not the vertical one.
+
+    Those that at every factor are others (`yielding.ByAmplitude`) are computed for it.
+    """
+    if isinstance(columns, ByAmplitude):
+        return columns.at(factor)
     size = {VERTICAL: abs(factor)}
     return {name: size.get(name, factor) * values for name, values in columns.items()}
+
+
+def shaking(scene, columns, factor):
+    """Columns of a scene's motions at a factor, floors between two mixed; of `shaken`."""
+    if isinstance(columns, ByAmplitude):
+        columns, factor = motion_columns(scene, columns.at(factor)), 1.0
+    return scaled({name: columns[name] for name in scene.motions}, factor)
 
 
 def after(before, time_s, columns):
@@ -108,12 +119,13 @@ def after(before, time_s, columns):
 def shaken(scene, columns):
     """A scene, and the `motion_columns` it needs: shaken vertically too where the motions say how.
 
-    ValueError if a motion is missing.
+    ValueError if a motion is missing. Those that at every factor are others stay what they are:
+    floors between two are mixed once they are `scaled`.
     """
     scene = replace(scene, vertical=VERTICAL if VERTICAL in columns else None)
-    columns = motion_columns(scene, columns)
-    _refuse_missing(scene.motions, columns)
-    return scene, columns
+    mixed = motion_columns(scene, columns)
+    _refuse_missing(scene.motions, mixed)
+    return scene, columns if isinstance(columns, ByAmplitude) else mixed
 
 
 def motion_columns(scene, columns):

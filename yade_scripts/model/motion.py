@@ -7,6 +7,7 @@ import numpy as np
 
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 
+GROUND, VERTICAL = "ground", "vertical"  # names of motions beside those of floors
 SIGNS = {"pos": 1.0, "neg": -1.0}  # of the record along the outward normal
 
 

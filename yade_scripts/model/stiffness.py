@@ -16,6 +16,7 @@ import numpy as np
 
 from yade_scripts.model.bars import taut
 from yade_scripts.model.scene import DOFS
+from yade_scripts.model.storeys import sliding
 
 
 @dataclass
@@ -232,7 +233,8 @@ def link_factor(scene, dt_s):
         return 1.0
     blocks = [b if i in masses else replace(b, free="") for i, b in enumerate(scene.blocks)]
     none = scene.nodes.select(slice(0))
-    matrices = assemble(replace(scene, blocks=blocks, nodes=none, ties=[], floors=[]))
+    storeys = [scene.floors[k] for k in sliding(scene)]
+    matrices = assemble(replace(scene, blocks=blocks, nodes=none, ties=[], floors=storeys))
     k, c = matrices.dense()
     scale = 1.0 / np.sqrt(matrices.mass)
     first = np.linalg.eigh(k * np.outer(scale, scale))[1][:, 0] * scale
@@ -249,4 +251,8 @@ def compensated(scene, dt_s):
         replace(x, stiffness_n_m=factor * x.stiffness_n_m, dashpot_ns_m=factor * x.dashpot_ns_m)
         for x in scene.links
     ]
-    return replace(scene, nodes=nodes, links=links)
+    floors = list(scene.floors)
+    for k in sliding(scene) if factor != 1.0 else ():
+        own = (factor * floors[k].stiffness_n_m, factor * floors[k].capacity_n)
+        floors[k] = replace(floors[k], stiffness_n_m=own[0], capacity_n=own[1])
+    return replace(scene, nodes=nodes, links=links, floors=floors)

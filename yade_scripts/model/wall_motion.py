@@ -12,7 +12,7 @@ The ground counts as mass 0. A wall that carries the masses hands its reactions 
 same weights.
 """
 
-from yade_scripts.model.floor_motions import GROUND
+from yade_scripts.model.motion import GROUND
 
 PARTS = 5  # of a storey's block, each at its own height: a course of W3 by default
 

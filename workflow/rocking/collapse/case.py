@@ -19,6 +19,7 @@ from rocking.configuration import config as configuration
 from rocking.configuration import refusals, schema
 from rocking.configuration.facade import WEAKEST, check_facade
 from rocking.configuration.files import read_yaml
+from rocking.configuration.storeys import check_storeys
 from rocking.fidelity import choose, read_fidelity
 from rocking.mechanics.beta import LAW_FILE, beta_and_range, beta_for
 from rocking.records.reader import nearest
@@ -226,13 +227,7 @@ class Case:
         return registry.model(self.model)
 
     def get(self, key: str) -> Any:
-        """Value of a dotted key.
-
-        Raises
-        ------
-        ValueError
-            In one line, for a key that the case has not.
-        """
+        """Value of a dotted key; a ValueError of one line for a key that the case has not."""
         return _place(self.sections, key)[0][key.rpartition(".")[2]]
 
     def varied(self, variant: "Variant | Mapping[str, Any]") -> "Case":
@@ -351,6 +346,7 @@ class Case:
                 f"return_wall.building_mass_kg = {mass}: expected the mass (kg) of the building "
                 f"behind the façade, with model {self.model}"
             )
+        check_storeys({**self.sections, "models": [self.model]})
         if not math.isfinite(self["beta_s"]):
             raise ValueError(f"beta_s = {self['beta_s']}: expected a finite number (s)")
         return self

@@ -10,12 +10,13 @@ from typing import Any, Literal
 import numpy as np
 import pandas as pd
 
-from rocking.collapse import probability, search
+from rocking.collapse import building, probability, search
 from rocking.collapse.case import Case
 from rocking.collapse.equivalent import SLOPE
 from rocking.collapse.history import History
 from rocking.collapse.limits import intensity, positive
 from rocking.collapse.motion import Motion
+from rocking.collapse.others import within_table
 from rocking.collapse.scan import Screen, scan_settings, seen_together
 from rocking.configuration import config as configuration
 from rocking.configuration import refusals, schema
@@ -118,12 +119,14 @@ class Curve:
         dict
             pga_safe_g, pga_collapse_g (lowest collapse), pga_p10_g, pga_median_g (half collapse),
             pga_p90_g, pga_all_g, pga_max_g, pga_equivalent_g (threshold that falls as often in a
-            year) [g], NaN where nothing fell; reversals, and the histories behind them.
-            docs/collapse.md says what each means.
+            year) [g], NaN where nothing fell; of a building that yields pga_building_g, where its
+            own storey reaches its drift, and building_first, 1 where that is first; reversals, and
+            the histories behind them. docs/collapse.md says what each means.
         """
         positive("slope", slope)
         none = pd.DataFrame()
         found = probability.summary(self.table, none, none, self.spread, slope)
+        found |= building.told(self.table, found, self.spread)
         return {k: v.item() if isinstance(v, np.generic) else v for k, v in found.items()}
 
 
@@ -220,6 +223,8 @@ def collapse_curves(
             raise ValueError(f"settings: {len(several)} given, expected one, or {len(shaken)}")
     outcomes = [run_by("planar", case, *one, **options) for one in shaken]
     given = [_settings(case, own, search) for own in several]
+    for (motion, _), own in zip(shaken, given, strict=True):
+        within_table(motion, own)
     searches = [
         (one, strategy(search, case, one, own)) for one, own in zip(outcomes, given, strict=True)
     ]
@@ -239,6 +244,7 @@ def _settings(case, settings, search, **other):
 
 def _curve(case, shaken, seen, given, wall_s):
     (motion, direction), (table, found), spread = shaken, seen, given["amplitude_spread"]
+    table = building.with_building(table, case, motion, direction)
     return Curve(case.model, motion.name, direction, table, spread, found, wall_s)
 
 

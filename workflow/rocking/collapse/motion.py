@@ -2,7 +2,6 @@
 
 import json
 import math
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from numbers import Real
@@ -13,13 +12,17 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rocking.collapse.others import check_floors, fit
 from rocking.records import Record, RecordError, load, read_record
 from rocking.records.floor_file import read_floor_file
+from rocking.records.floor_table import read_floor_table
 from rocking.records.floors import floor_columns
 from rocking.records.record import UNITS_M_S2, check_plausible, measures, unit_name
 from rocking.shipped import found, shipped
-from yade_scripts.model import floor_motions
+from rocking.solver.storeys import march
+from yade_scripts.model import floor_motions, yielding
 from yade_scripts.model.motion import amplitude
+from yade_scripts.model.storeys import storey_height
 
 if TYPE_CHECKING:
     from rocking.collapse.case import Case, Variant
@@ -74,7 +77,7 @@ class Motion:
     def __post_init__(self):
         """Check that there is a motion."""
         if self.floors is not None:
-            _check_floors(self.floors)
+            check_floors(self.floors)
         if self.floors is None and not isinstance(self.record, Record):
             raise TypeError(
                 f"Motion of {type(self.record).__name__}: expected Motion.named(name), "
@@ -115,6 +118,8 @@ class Motion:
         if floors is not None:
             columns = ((name, _bytes(values)) for name, values in floors[1].items())
             own += (_bytes(floors[0]), *columns)
+            if isinstance(floors[1], yielding.ByAmplitude):
+                own += (floors[1].identity,)
         return own
 
     @classmethod
@@ -240,6 +245,39 @@ class Motion:
         return cls(floors=floors, label=name or Path(path).stem, file=str(path))
 
     @classmethod
+    def read_floor_table(
+        cls,
+        path: str | PathLike,
+        name: str = "",
+        *,
+        units: str | None = None,
+        columns: Sequence[str] | None = None,
+        record: "Motion | Record | None" = None,
+    ) -> "Motion":
+        """Floor motions that another program computed at several intensities, by PGA.
+
+        Parameters
+        ----------
+        path : path
+            A table (CSV) with pga_g, ascending by at most a quarter, and file, one an intensity.
+        name, units, columns, record
+            As of `read_floors`, of every file.
+
+        Raises
+        ------
+        RecordError
+            In one line that names the table or the file.
+
+        Notes
+        -----
+        Between two intensities the floors are mixed in proportion; below the lowest they are
+        scaled; a PGA above the highest is refused, so a search needs `ida.max_pga_g` below it.
+        """
+        given = record.record if isinstance(record, Motion) else record
+        floors = read_floor_table(str(path), units, columns, given)
+        return cls(floors=floors, label=name or Path(path).stem, file=str(path))
+
+    @classmethod
     def of_workflow(cls, path: str | PathLike, name: str = "") -> "Motion":
         """Floor motions that the workflow wrote, `smdof/{record}_{n}dof.csv`: of the case's chain.
 
@@ -304,41 +342,21 @@ class Motion:
         -------
         time_s : ndarray, shape (nt,)
         columns : dict of str to ndarray
-            See `floor_motions.read`.
+            See `floor_motions.read`; of a building that yields as `yielding.YieldingFloors`, which
+            `floor_motions.scaled` asks for those at a factor.
         """
         if self.floors:
-            self._fit(case)
-            return self.floors
-        key = json.dumps(case["smdof"], sort_keys=True)
+            fit(self, case)
+            time_s, columns = self.floors
+            return time_s, yielding.of_case(case.sections, time_s, columns, march)
+        chain = case["smdof"]
+        key = json.dumps([chain, storey_height(case.sections), case.kind.two_way], sort_keys=True)
         if (found := self._kept.get(key)) is None:
-            found = floor_columns(self.record, case["smdof"])
+            time_s, columns = floor_columns(self.record, chain)
+            found = time_s, yielding.of_case(case.sections, time_s, columns, march)
             self._kept.clear()  # of one building: a sample of thousands has as many
             self._kept[key] = found
         return found
-
-    def _fit(self, case):
-        """Refuse floor motions of others that a case would ignore, or has not; warn of scaling."""
-        floors = [name for name in (self.floors or ((), ()))[1] if name.startswith("floor")]
-        if self.of_chain or not floors:
-            return
-        if case.kind.two_way:
-            raise ValueError(
-                f"{self.file or self.name}: model {case.model} computes its floors itself and "
-                "would ignore these; expected a record, or a model that is driven by floors, as W2"
-            )
-        if case.kind.chain and len(floors) != case["smdof"]["n_dof"]:
-            raise ValueError(
-                f"{self.file or self.name}: {len(floors)} floors, but smdof.n_dof = "
-                f"{case['smdof']['n_dof']}; expected as many"
-            )
-        if case.kind.chain and not self._kept.get("said"):
-            self._kept["said"] = True
-            warnings.warn(
-                f"{self.file or self.name}: the floors scale with the ground's peak; those of a "
-                "building that yields hold at the intensity that they were computed for alone",
-                UserWarning,
-                stacklevel=5,
-            )
 
     def before(self, case, direction):
         """What comes before it: time_s and columns as they shake, and the pause; None: nothing."""
@@ -351,22 +369,6 @@ class Motion:
 
 def _bytes(values):
     return np.ascontiguousarray(values, dtype=float).tobytes()
-
-
-def _check_floors(floors):
-    """Refuse what is no (time_s, columns) with the ground among them."""
-    good = isinstance(floors, tuple) and len(floors) == 2 and isinstance(floors[1], Mapping)
-    if not good or "ground" not in floors[1]:
-        raise ValueError(
-            "floors: expected (time_s, columns) with columns 'ground', 'floor1', …, as "
-            "Motion.read_floors gives them"
-        )
-    count = np.shape(floors[0])
-    for name, values in floors[1].items():
-        if np.shape(values) != count or len(count) != 1:
-            raise ValueError(
-                f"floors: column {name} of shape {np.shape(values)}; expected {count} as the times"
-            )
 
 
 def _known(changes, name):

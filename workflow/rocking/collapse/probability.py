@@ -25,14 +25,14 @@ ENDS = [f"pga_{name}_{end}_g" for name in ("p10", "median", "p90") for end in ("
 COLUMNS = [
     *KEY,
     *(f"pga_{name}_g" for name in ("safe", "collapse", "median", "p10", "p90", "all", "max")),
-    "pga_equivalent_g",
+    *("pga_equivalent_g", "pga_building_g", "building_first"),
     *ENDS,
     *("reversals", "runs_planar", "runs_yade", "disagreements"),
     *("collapse_fell", "collapse_realisations", "safe_bound", "confirmed"),
 ]
 PROBABILITY_COLUMNS = [
     *(*KEY, "pga_g", "probability", "realisations"),
-    *("probability_yade", "realisations_yade", "agrees"),
+    *("probability_yade", "realisations_yade", "agrees", "probability_building"),
 ]
 
 
@@ -170,6 +170,7 @@ def summary(scan, curve, realisations, spread, slope=SLOPE):
         from which all collapse; largest that was run; threshold that falls as often in a year;
         between which amplitudes the crossings may lie (`crossing.between`); how many fell, of how
         many, within ± spread of the lowest that fell; what may hide below the safe one (`unseen`).
+        Of the building `building.told` says more.
     """
     own = [table for table in (curve, realisations) if len(table)]
     every = outcomes(*own) if scan is None else outcomes(*own, scan)

@@ -20,9 +20,10 @@ from yade_scripts.commands.perturb import (
     Realisation,
     perturbed_numerics,
 )
-from yade_scripts.model import floor_motions, models, registry
+from yade_scripts.model import floor_motions, models, registry, yielding
 from yade_scripts.model.floor_motions import GROUND, VERTICAL
 from yade_scripts.model.motion import amplitude
+from yade_scripts.model.storeys import storeys_of
 from yade_scripts.model.wall_motion import floor_motion
 
 NODES = 17  # along every edge: within 1 % of its converged answer where YADE needs more
@@ -36,6 +37,7 @@ COURSES_STEP = 0.072  # of the stable step of the same façade in one block
 # The light one of pieces makes their stable step short: of it they take so many times the share
 # of one block, up to the second (docs/log/accuracy.md has the errors)
 PIECES_STEPS, PIECES_MOST = 4.0 / 3.0, 0.4
+OWN_MOTIONS = 32  # at once, where each amplitude has floor motions of its own: 0.4 GB
 KEPT = 16  # façades whose scenes are kept, for the motions that follow
 LATE_STEP = 0.5  # of `COURSES_STEP`, where the dashpots of thin courses act at the end of a step
 
@@ -59,6 +61,8 @@ class Scan:
     motions: Motions
     static_g: float
     block: int = search.BLOCK
+    #: whether amplitudes may have motions of their own, which take memory
+    own_motions: bool = False
 
     def shaking(self, pga_g):
         """`Motions` of each intensity, and the factor on them."""
@@ -94,32 +98,31 @@ def together(asks):
 
 def marched(asks):
     """Outcomes as of `together`, each with the largest d/b of every second, shape (n, seconds)."""
-    alike: dict[tuple, tuple] = {}
+    alike: dict[tuple, list] = {}
     parts, count = [], 0
     for scan, levels, scatter in asks:
         pga_g = np.asarray(levels, float)
         turn = np.arange(pga_g.size) * bool(scatter)
         extra, step = turn % len(scan.planes), np.array(scan.shorter)[turn % len(scan.shorter)]
-        motions, factors = scan.shaking(pga_g)
         for k, layout in enumerate(extra):
-            plane, step_s = scan.planes[layout], step[k] * scan.steps_s[layout]
-            group = alike.setdefault((id(plane), step_s), (scan, plane, []))
-            group[2].append((motions[k], factors[k], count + k))
+            key = (id(scan.planes[layout]), step[k] * scan.steps_s[layout])
+            alike.setdefault(key, []).append((scan, layout, pga_g[k], count + k))
         parts.append({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
         count += pga_g.size
     d_over_b, status = np.full(count, np.nan), np.full(count, "failed", object)
     swings = np.full((count, 1), np.nan)
-    for (_, step_s), (scan, plane, histories) in alike.items():
-        motions, factors, rows = zip(*histories, strict=True)
-        how = {"carried": scan.carried, "step_s": step_s}
-        found = peaks(plane, motions, scan.numerics, factors, **how)
-        here = np.array(rows)
-        d_over_b[here] = np.minimum(found.d_over_b, 1.0)
-        wider = max(found.spans.shape[1] - swings.shape[1], 0)
-        swings = np.pad(swings, ((0, 0), (0, wider)))
-        swings[here, : found.spans.shape[1]] = found.spans
-        status[here[~found.failed]] = "ok"
-        status[here[found.overturned]] = "overturned"
+    for (_, step_s), histories in alike.items():
+        for some in _batches(histories):
+            (scan, layout, *_), here = some[0], np.array([row for *_, row in some])
+            motions, factors = _shaking(some)
+            how = {"carried": scan.carried, "step_s": step_s}
+            found = peaks(scan.planes[layout], motions, scan.numerics, factors, **how)
+            d_over_b[here] = np.minimum(found.d_over_b, 1.0)
+            wider = max(found.spans.shape[1] - swings.shape[1], 0)
+            swings = np.pad(swings, ((0, 0), (0, wider)))
+            swings[here, : found.spans.shape[1]] = found.spans
+            status[here[~found.failed]] = "ok"
+            status[here[found.overturned]] = "overturned"
     tables, first = [], 0
     for part in parts:
         mine = slice(first, first := first + part["pga_g"].size)
@@ -127,6 +130,26 @@ def marched(asks):
         said = {"d_over_b": d_over_b[mine], "status": status[mine], "collapsed": fell}
         tables.append((pd.DataFrame({**part, **said}), swings[mine]))
     return tables
+
+
+def _batches(histories):
+    """Cut histories (scan, layout, pga_g, row) into as many at once as memory holds."""
+    if not any(scan.own_motions for scan, *_ in histories):
+        return [histories]
+    return [histories[at : at + OWN_MOTIONS] for at in range(0, len(histories), OWN_MOTIONS)]
+
+
+def _shaking(histories):
+    """Motions and factors of histories (scan, layout, pga_g, row); each scan is asked once."""
+    own: dict[int, list] = {}
+    for k, (scan, *_) in enumerate(histories):
+        own.setdefault(id(scan), []).append(k)
+    motions, factors = [None] * len(histories), np.zeros(len(histories))
+    for mine in own.values():
+        found, factors[mine] = histories[mine[0]][0].shaking([histories[k][2] for k in mine])
+        for k, one in zip(mine, found, strict=True):
+            motions[k] = one
+    return motions, factors
 
 
 def one_by_one(asks):
@@ -230,8 +253,12 @@ class Screen(Scan):
         kept = _layouts_of(json.dumps(case, sort_keys=True), fraction)
         self.scene, self.planes, self.steps_s, self.shorter, self.carried = kept
         self.two_way = registry.model(case["model"]).two_way
+        if before is not None:
+            columns = yielding.following(columns, before[1])
         self.time_s, self.columns, self.before = time_s, columns, before
         self.motions = self._motions(time_s, columns)
+        self.yields = isinstance(columns, yielding.ByAmplitude)
+        self.own_motions = self.yields or before is not None
         self.static_g = models.static_multiplier(case)
 
     def _motions(self, time_s, columns):
@@ -240,11 +267,21 @@ class Screen(Scan):
         return driving(self.scene, time_s, columns)
 
     def shaking(self, pga_g):
-        """As of any scan; a shock before keeps its own amplitude."""
+        """As of any scan; a shock before keeps its own amplitude, floors that yield have theirs."""
         motions, factors = super().shaking(pga_g)
-        if self.before is None:
+        if self.before is None and not self.yields:
             return motions, factors
-        second = [floor_motions.scaled(self.columns, factor) for factor in factors]
+        if self.yields:
+            second = self.columns.at_all(factors)
+        else:
+            second = [floor_motions.scaled(self.columns, factor) for factor in factors]
+        if self.before is None:
+            stay = [moved.scaled for moved in second]
+            own = [
+                motions[k] if stay[k] else self._motions(self.time_s, moved)
+                for k, moved in enumerate(second)
+            ]
+            return own, np.where(stay, factors, 1.0)
         both = [floor_motions.after(self.before, self.time_s, columns) for columns in second]
         return [self._motions(*columns) for columns in both], np.ones(len(both))
 
@@ -297,4 +334,5 @@ def carried_masses(case, scene):
     floors = [floor_motion(j) for j in range(1, chain["n_dof"] + 1)]
     shares = [mixed.get(name, {name: 1.0}) for name in moving_supports(scene, GROUND)]
     hang = [[share.get(floor, 0.0) for floor in floors] for share in shares]
-    return bodies(np.diag(own), stiffness, damping, hang)
+    carried = bodies(np.diag(own), stiffness, damping, hang)
+    return carried._replace(storeys=storeys_of(case, mass))

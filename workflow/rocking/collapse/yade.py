@@ -13,6 +13,8 @@ from rocking.collapse.scan import one_by_one, seen_together
 from rocking.tables import read_frame
 from yade_scripts.model import models
 from yade_scripts.model.floor_motions import write_columns
+from yade_scripts.model.motion import GROUND, amplitude
+from yade_scripts.model.yielding import TabulatedFloors
 
 SCRIPTS = Path(models.__file__).resolve().parents[1]
 LIMIT_S = 1800.0  # of one call
@@ -54,11 +56,11 @@ class YadeRuns:
         self._folder = tempfile.TemporaryDirectory(prefix="rocking-")
         self.folder = Path(self._folder.name)
         (self.folder / "case.json").write_text(case.to_json())
-        write_columns(self.folder / "motion.csv", *motion.columns(case), digits=WHOLE)
+        given = _written(self.folder, "motion", motion, case)
         self.columns = COLUMNS if second is None else [*COLUMNS, "twist_rad", "slid_m"]
         self.case: dict = {
             "scene": "case.json",
-            "motion": "motion.csv",
+            "motion": given,
             "record": motion.name or "motion",
             "direction": direction,
         }
@@ -66,9 +68,8 @@ class YadeRuns:
             write_columns(self.folder / "second.csv", *second.columns(case), digits=WHOLE)
             self.case["second"] = "second.csv"
         if motion.first is not None and motion.first_pga_g > 0.0:
-            write_columns(self.folder / "first.csv", *motion.first.columns(case), digits=WHOLE)
             self.case["before"] = {
-                "motion": "first.csv",
+                "motion": _written(self.folder, "first", motion.first, case),
                 "pga_g": motion.first_pga_g,
                 "pause_s": motion.pause_s,
             }
@@ -88,6 +89,18 @@ class YadeRuns:
         return seen_together([(self, strategy)], one_by_one)[0]
 
 
+def _written(folder, name, motion, case):
+    """Write what shakes a case into files; what `runs.read_motion` takes for them."""
+    time_s, columns = motion.columns(case)
+    if not isinstance(columns, TabulatedFloors):
+        write_columns(folder / f"{name}.csv", time_s, columns, digits=WHOLE)
+        return f"{name}.csv"
+    files = [f"{name}{k}.csv" for k, _ in enumerate(columns.levels, 1)]
+    for file, level in zip(files, columns.levels, strict=True):
+        write_columns(folder / file, time_s, level, digits=WHOLE)
+    return files
+
+
 def yade_history(case, motion, direction, pga_g):
     """One history by YADE, with contact forces and energies; see the command `history`.
 
@@ -97,7 +110,10 @@ def yade_history(case, motion, direction, pga_g):
         raise ValueError("history by YADE: expected a motion without a first shock")
     with tempfile.TemporaryDirectory(prefix="rocking-") as folder:
         Path(folder, "case.json").write_text(case.to_json())
-        write_columns(Path(folder, "motion.csv"), *motion.columns(case), digits=WHOLE)
+        time_s, columns = motion.columns(case)
+        if isinstance(columns, TabulatedFloors):
+            columns = columns.at(amplitude(columns[GROUND], "pos", pga_g))
+        write_columns(Path(folder, "motion.csv"), time_s, columns, digits=WHOLE)
         words = ["--scene", "case.json", "--motion", "motion.csv", "--direction", direction]
         words += ["--record", motion.name or "motion", "--pga", f"{pga_g:.17g}"]
         run_yade("history", *words, "--output", "history.csv", folder=folder)

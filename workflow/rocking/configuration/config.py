@@ -17,6 +17,7 @@ from rocking.configuration.differences import by_path
 from rocking.configuration.facade import check_facade
 from rocking.configuration.files import changed, check_files, write_resolved
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show, value_at
+from rocking.configuration.storeys import check_storeys
 from rocking.configuration.units import unusual
 from rocking.configuration.words import listed
 from yade_scripts.model.part import part_of
@@ -85,6 +86,7 @@ def check(resolved: Mapping) -> None:
     """
     check_limits(resolved)
     check_facade(resolved)
+    check_storeys(resolved)
     _check_part(resolved)
     law = resolved["damping"]["law"]
     if resolved["facade"]["sides"] == "two" and law != "value":

@@ -10,7 +10,7 @@ import numpy as np
 
 from rocking.reference import SupportTable, Wall, simulate_batch
 from rocking.reference.stack import StackSolver
-from yade_scripts.model import base, floor_motions, registry
+from yade_scripts.model import base, floor_motions, registry, yielding
 from yade_scripts.model.models import build_scene
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.registry import REFERENCE_MODELS
@@ -136,6 +136,19 @@ def answers(case, motion, direction, pga_g, *, nodes, tolerance):
     time_s, columns = motion
     ground = columns[floor_motions.GROUND]
     scales = [amplitude(ground, direction, g) for g in pga_g]
+    floors = yielding.of_case(case, time_s, columns)
+    if not isinstance(floors, yielding.YieldingFloors):
+        return _answers(case, motion, scales, nodes, tolerance)
+    found = [
+        _answers(case, (time_s, floors.at(scale)), [1.0], nodes, tolerance) for scale in scales
+    ]
+    d_over_b, status, end_s = zip(*found, strict=True)
+    return Outcomes(np.concatenate(d_over_b), sum(status, []), np.concatenate(end_s))
+
+
+def _answers(case, motion, scales, nodes, tolerance):
+    """`Outcomes` at some factors on floor motions."""
+    time_s, columns = motion
     if one_block(case):
         moving, wall = motion_of(time_s, columns, case["model"]), wall_of(case, nodes)
         found = simulate_batch(wall, moving, scales, tolerance=tolerance, stop_d_over_b=1.0)
@@ -144,9 +157,9 @@ def answers(case, motion, direction, pga_g, *, nodes, tolerance):
         end_s = found.end_time_s
     else:
         found = stack_of(case, nodes, time_s, columns).peaks(scales)
-        peaks, status, end_s = found.d_over_b.copy(), found.status, found.end_s
+        peaks, status, end_s = found.d_over_b.copy(), list(found.status), found.end_s
     peaks[[word == "failed" for word in status]] = np.nan
-    return Outcomes(peaks, status, end_s)
+    return Outcomes(peaks, status, np.asarray(end_s))
 
 
 def ensemble_peaks(case, motion_path, direction, pga_g, factors, *, nodes=17, dt_s=4e-4):
@@ -157,6 +170,18 @@ def ensemble_peaks(case, motion_path, direction, pga_g, factors, *, nodes=17, dt
     time_s, columns = floor_motions.read(motion_path)
     ground = columns[floor_motions.GROUND]
     scales = amplitude(ground, direction, pga_g) * np.asarray(factors, float)
+    floors = yielding.of_case(case, time_s, columns)
+    if isinstance(floors, yielding.YieldingFloors):
+        moved = [(floors.at(scale), np.ones(1)) for scale in scales]
+    else:
+        moved = [(columns, scales)]
+    found = [_peaks(case, (time_s, own), at, nodes, dt_s) for own, at in moved]
+    return np.concatenate(found)
+
+
+def _peaks(case, motion, scales, nodes, dt_s):
+    """Largest d/b at some factors on floor motions, see `ensemble_peaks`."""
+    time_s, columns = motion
     if not one_block(case):
         return stack_of(case, nodes, time_s, columns).peaks(scales).d_over_b
     motion = motion_of(time_s, columns, case["model"])

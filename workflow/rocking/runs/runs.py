@@ -9,6 +9,7 @@ from rocking.configuration.schema import value_at
 from rocking.records import read_table, surrogates_for
 from rocking.runs.shared import Shared
 from rocking.stations import unnamed
+from yade_scripts.model import storeys
 from yade_scripts.model.registry import MODELS, PUSHED
 from yade_scripts.model.shape import is_plain, refuse, refuse_bonds
 
@@ -206,12 +207,13 @@ class Runs:
         return [curve for curve in self.curves(run) if self.scanned(run, curve.model)]
 
     def by_yade(self, run) -> list[CurveKey]:
-        """Curves that YADE runs."""
-        confirmed = self.confirmed(run)
+        """Curves that YADE runs: none of a pushed building whose loops its sliders cannot do."""
+        confirmed, slides = self.confirmed(run), storeys.slides(self.settings[run]["smdof"])
         return [
             curve
             for curve in self.curves(run)
-            if curve.record in confirmed or not self.scanned(run, curve.model)
+            if not self.scanned(run, curve.model)
+            or (curve.record in confirmed and (slides or not MODELS[curve.model].two_way))
         ]
 
     def ensembles(self, run) -> list[CurveKey]:

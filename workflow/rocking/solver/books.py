@@ -3,6 +3,7 @@
 from rocking.runtime.compiled import inlined
 
 from .inputs import COLUMNS
+from .substructure import held_by
 from .vectors import lone, take
 
 
@@ -26,10 +27,12 @@ def write(out, time, d, v, parts, half, energy, field, weight, chained):
 def works_of(bodies, parts, memory, bars, ag, half):
     """Energies of one history beside its blocks: those of carriers and floors, see `energies`.
 
-    Power of the inertia forces on them and of driven supports; what their dashpots take.
+    Power of the inertia forces on them and of driven supports; what their dashpots take; what
+    yielding has taken so far.
     """
     ride, supports = parts.ride, parts.supports
-    kinetic = held = power = taken = 0.0
+    kinetic = power = taken = 0.0
+    held, lost = held_by(bodies, ride)
     n = bodies.mass_kg.size
     for j in range(n):
         speed = lone(take(ride.v, j)) + half * lone(take(ride.a, j))
@@ -37,7 +40,6 @@ def works_of(bodies, parts, memory, bars, ag, half):
         power -= bodies.mass_kg[j] * bodies.ground[j] * ag * speed
         for i in range(n):
             other = lone(take(ride.v, i)) + half * lone(take(ride.a, i))
-            held += 0.5 * bodies.k_n_m[j, i] * lone(take(ride.u, j)) * lone(take(ride.u, i))
             taken += bodies.c_n_s_m[j, i] * speed * other
     for i in range(bars.mass_kg.size):
         if bars.mass_kg[i] > 0.0:
@@ -45,4 +47,4 @@ def works_of(bodies, parts, memory, bars, ag, half):
             power -= bars.mass_kg[i] * ag * speed
     for j in range(len(supports.fy) - 1 if n == 0 else 0):
         power -= lone(take(supports.fy, j)) * lone(take(supports.vy, j))
-    return kinetic, held, power, taken
+    return kinetic, held, power, taken, lost

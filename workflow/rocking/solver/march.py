@@ -67,7 +67,7 @@ def _shape(p, bodies, samples):
     chained = bodies.mass_kg.size > 0
     supports = bodies.hang.shape[0] if chained else samples.place_m.shape[1]
     barred = 2 * p.bars.tie_k_n_m.size + 4 * p.bars.floor_k_n_m.size
-    return 12 * (supports + 1), 5 * bodies.mass_kg.size, barred
+    return 12 * (supports + 1), substructure.rows_of(bodies), barred
 
 
 @inlined
@@ -80,7 +80,7 @@ def _parts(p, bodies, samples, rows, scratch, spans):
     first = held + barred
     return Parts(
         standing(rows[HISTORY:carried]),
-        substructure.riding(rows[carried:held]),
+        substructure.riding(bodies, rows[carried:held]),
         bars.remembered(p.bars, rows[held:first]),
         rows[first : first + 3 * n],
         rows[first + 3 * n : first + 6 * n],
@@ -183,7 +183,7 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
             done, spent = done + half * power, spent + half * taken
             if k % every == 0 and written < series.shape[0]:
                 field = ag, gravity, like(0.0, ag)
-                energy = lone(elastic), lone(spent), kinetic, raised, done
+                energy = lone(elastic), lone(spent) + works[4], kinetic, raised, done
                 out = series[written]
                 write(out, k * dt, d, v, parts, half, energy, field, weight, chained)
                 written += 1

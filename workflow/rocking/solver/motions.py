@@ -136,13 +136,44 @@ def _rate(values, dt):
     return np.append(np.diff(values) / dt, 0.0 * values[..., -1:], axis=-1)
 
 
+@looped
+def _fill(samples, first, time_s, ground, vertical, supports):
+    """Write one motion into `Samples` from a place on: as `Motions.arrays` has it, digit by digit.
+
+    `supports` (m, nt), of as many as the samples have.
+    """
+    last, count = time_s.size - 1, samples.place_m.shape[1]
+    for i in range(last + 1):
+        at, k = first + i, min(i + 1, last)
+        dt = time_s[k] - time_s[i] if i < last else 1.0
+        samples.time_s[at] = time_s[i]
+        samples.field_m_s2[at, 0], samples.field_m_s2[at, 1] = ground[i], vertical[i]
+        samples.field_m_s3[at, 0] = (ground[k] - ground[i]) / dt
+        samples.field_m_s3[at, 1] = (vertical[k] - vertical[i]) / dt
+        for j in range(count):
+            now, after = supports[j, i] - ground[i], supports[j, k] - ground[k]
+            samples.apart_m_s2[at, j], samples.apart_m_s3[at, j] = now, (after - now) / dt
+            if i == 0:
+                samples.speed_m_s[at, j] = samples.place_m[at, j] = 0.0
+            if i < last:
+                v = samples.speed_m_s[at, j]
+                samples.speed_m_s[at + 1, j] = v + 0.5 * dt * (after + now)
+                way = v * dt + dt * dt * (2.0 * now + after) / 6.0
+                samples.place_m[at + 1, j] = samples.place_m[at, j] + way
+
+
 def samples_of(motions, supports):
     """`Samples` of some motions; `supports`: whether theirs are wanted too."""
-    every = [one.arrays(supports) for one in motions]
     begin = np.cumsum([0, *(one.time_s.size for one in motions)])
-    if len(every) == 1:
-        return Samples(begin, *every[0])
-    return Samples(begin, *(np.concatenate(arrays) for arrays in zip(*every, strict=True)))
+    if len(motions) == 1:
+        return Samples(begin, *motions[0].arrays(supports))
+    size, count = begin[-1], len(motions[0].supports_m_s2) if supports else 0
+    shapes = (size, (size, 2), (size, 2), *((size, count),) * 4)
+    found = Samples(begin, *map(np.empty, shapes))
+    for first, one in zip(begin[:-1], motions, strict=True):
+        rows = one.time_s, one.ground_m_s2, one.vertical_m_s2, one.supports_m_s2
+        _fill(found, first, *map(np.ascontiguousarray, rows))
+    return found
 
 
 def last_step(motions, step_s):

@@ -5,14 +5,17 @@ from typing import NamedTuple
 import numpy as np
 
 from rocking.runtime.compiled import inlined
+from yade_scripts.model.storeys import NO_STOREYS, Storeys
 
-from .vectors import alone, like, put, some, take
+from .storeys import MEMORY, SHEAR, WORK, less
+from .vectors import alone, like, lone, put, some, take
 
 
 class Bodies(NamedTuple):
     """Coordinates that carry the supports: M ü + C u̇ + K u = −M r a_g + Hᵀ·forces and moments.
 
-    They are the masses of a chain, or the modes of a building. Supports move by H u.
+    They are the masses of a chain, or the modes of a building. Supports move by H u. Storeys of a
+    chain may yield: what that takes off K u is Bᵀ r, with B u their drifts.
     """
 
     mass_kg: np.ndarray  # (n,) without masses the supports are driven
@@ -26,11 +29,14 @@ class Bodies(NamedTuple):
     band: int  # how far from the diagonal the matrices have entries: modes have none beside it
     carriers: np.ndarray  # (supports, 2), int: from which to before which coordinate H has entries
     carried: np.ndarray  # (n, 2), int: the same by coordinates
+    storeys: Storeys  # of a chain whose masses are the coordinates; none: K holds at any drift
 
 
 CHAIN = 5  # a chain has no more masses; modes are more
 _NONE, _NO_ENDS = np.zeros((0, 0)), np.zeros((0, 2), np.int64)
-NO_BODIES = Bodies(np.zeros(0), *(_NONE,) * 5, np.zeros(0), (_NONE,) * 3, 0, _NO_ENDS, _NO_ENDS)
+NO_BODIES = Bodies(
+    np.zeros(0), *(_NONE,) * 5, np.zeros(0), (_NONE,) * 3, 0, _NO_ENDS, _NO_ENDS, NO_STOREYS
+)
 
 
 def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, roll=None, ground=None):
@@ -74,7 +80,7 @@ def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, roll=Non
     for rows in (lift, roll):
         has |= (rows != 0.0) if len(rows) else False
     ends = _ends(has), _ends(has.T)
-    return Bodies(m, k, c, hang, lift, roll, ground, moves, band, *ends)
+    return Bodies(m, k, c, hang, lift, roll, ground, moves, band, *ends, NO_STOREYS)
 
 
 def _ends(rows):
@@ -91,14 +97,22 @@ class Ride(NamedTuple):
     w: np.ndarray  # velocity now
     a: np.ndarray
     force: np.ndarray  # of the block
+    storeys: np.ndarray  # what storeys remember
 
 
 @inlined
-def riding(rows):
-    """`Ride` in so many rows, a fifth of them each."""
-    n = len(rows) // 5
+def rows_of(bodies):
+    """How many rows `Ride` has."""
+    return 5 * bodies.mass_kg.size + MEMORY * bodies.storeys.k_n_m.size
+
+
+@inlined
+def riding(bodies, rows):
+    """`Ride` in `rows_of` rows."""
+    n = bodies.mass_kg.size
     return Ride(
-        rows[:n], rows[n : 2 * n], rows[2 * n : 3 * n], rows[3 * n : 4 * n], rows[4 * n : 5 * n]
+        *(rows[:n], rows[n : 2 * n], rows[2 * n : 3 * n], rows[3 * n : 4 * n]),
+        *(rows[4 * n : 5 * n], rows[5 * n :]),
     )
 
 
@@ -167,6 +181,8 @@ def accelerate(bodies, ride, supports, ground_m_s2, quiet_m_s2):
             _collect(bodies.lift[i], fz, ride.force)
             if turned:
                 _collect(bodies.roll[i], moment, ride.force)
+    if bodies.storeys.k_n_m.size > 0:
+        _yield(bodies, ride)
     for j in range(n):
         pull = take(ride.force, j)
         for i in range(max(0, j - bodies.band), min(n, j + bodies.band + 1)):
@@ -176,6 +192,35 @@ def accelerate(bodies, ride, supports, ground_m_s2, quiet_m_s2):
         put(ride.a, j, rise)
         shaken = shaken | (abs(rise + bodies.ground[j] * ground_m_s2) > quiet_m_s2)
     return shaken
+
+
+@inlined
+def _yield(bodies, ride):
+    """Give the masses what yielding takes off the springs below and above them."""
+    storeys, n = bodies.storeys, bodies.mass_kg.size
+    under = like(0.0, take(ride.u, 0))
+    for j in range(n):
+        place = take(ride.u, j)
+        found = less(storeys, j, ride.storeys, MEMORY * j, place - under)
+        put(ride.force, j, take(ride.force, j) + found)
+        if j > 0:
+            put(ride.force, j - 1, take(ride.force, j - 1) - found)
+        under = place
+
+
+@inlined
+def held_by(bodies, ride):
+    """Energy that springs store, and that their yielding has taken [J]; of one history."""
+    held = taken = 0.0
+    n, storeys = bodies.mass_kg.size, bodies.storeys
+    for j in range(storeys.k_n_m.size):
+        shear = lone(take(ride.storeys, MEMORY * j + SHEAR))
+        own = 0.5 * shear * shear / storeys.k_n_m[j]
+        held, taken = held + own, taken + lone(take(ride.storeys, MEMORY * j + WORK)) - own
+    for j in range(n if storeys.k_n_m.size == 0 else 0):
+        for i in range(n):
+            held += 0.5 * bodies.k_n_m[j, i] * lone(take(ride.u, j)) * lone(take(ride.u, i))
+    return held, taken
 
 
 @inlined

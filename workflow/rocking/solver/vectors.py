@@ -134,6 +134,7 @@ for _functions, _emit in (
     ((min,), _extreme("<")),
     ((max,), _extreme(">")),
     ((math.copysign,), _call("copysign", 2)),
+    ((math.pow,), _call("pow", 2)),
 ):
     for _function in _functions:
         _defined(_function, LANES, _PAIRS, _emit)

@@ -1,7 +1,7 @@
 """Collapse intensities of every curve, and its collapse probability against PGA."""
 
 import pandas as pd
-from rocking.collapse import agreement, probability
+from rocking.collapse import agreement, building, probability
 from rocking.collapse.ida import by_curve, read_curve
 from rocking.runtime.script import run
 from rocking.tables import together, write_table
@@ -16,10 +16,12 @@ def main(job):
         scan, curve, realisations = scans.get(key), curves.get(key, none), ensembles.get(key, none)
         named = dict(zip(probability.KEY, key, strict=True))
         row = named | probability.summary(scan, curve, realisations, spread, job.params.slope)
+        row |= building.told(scan, row, spread)
         if scan is None and len(realisations):
             table = probability.single_runs(probability.outcomes(curve, realisations), spread)
         else:
             table = agreement.compared(scan, realisations, spread)
+        table = building.joined(table, scan, spread)
         table = table.assign(**named).reindex(columns=probability.PROBABILITY_COLUMNS)
         row["disagreements"] = agreement.disagreements(table)
         row["confirmed"] = agreement.confirmed(scan, curve, realisations, spread)

@@ -1,0 +1,231 @@
+"""How strong is a building: its base-shear coefficient V/W from wall areas and shear strength.
+
+The simplified model of masonry palaces of the Italian guidelines for heritage (Linee Guida 2011,
+DPCM 9 February 2011, §5.4.2, eq. 5.12 to 5.15): of every storey i in one direction
+
+    V_i = μ ξ ζ A_i τ_i / β,   τ_i = τ0 √(1 + σ_i/(1.5 τ0)),   V/W = min V_i / (κ_i W)
+
+with A_i the area of the walls that resist in the direction (piers, at mid-height of the storey),
+σ_i the mean compression there, κ_i the share of the base shear that the storey carries, Σ_{j ≥ i}
+W_j z_j / Σ_j W_j z_j. τ_i is Turnšek and Čačovič's diagonal cracking. μ is the homogeneity of the
+piers, ξ is 1 where they fail in shear and 0.8 in flexure, ζ is 1 with strong spandrels and 0.8 with
+weak ones, and β ≥ 1 the irregularity of the plan.
+"""
+
+import argparse
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from rocking.configuration.files import read_yaml
+from yade_scripts.model.building.plan import plan_from_dict
+
+GRAVITY_M_S2 = 9.80665
+# τ0 [MPa] of the Circolare 7/2019, table C8.5.I, lowest and highest
+MASONRY = {
+    "irregular stone": (0.018, 0.032),
+    "roughly cut stone": (0.035, 0.051),
+    "split stone, good bond": (0.056, 0.074),
+    "irregular soft stone": (0.028, 0.042),
+    "regular soft stone": (0.040, 0.080),
+    "squared stone": (0.090, 0.120),
+    "brick and lime mortar": (0.050, 0.130),
+    "half-solid brick and cement mortar": (0.080, 0.170),
+}
+UNKNOWN = (0.20, 0.10, 0.30)  # where nothing is known: two-storey masonry, middle and ends
+TRANSVERSE = 1.5  # shape of Turnšek and Čačovič's formula, of slender piers; 1.0 of squat ones
+
+
+@dataclass(frozen=True)
+class Storey:
+    """One storey in one direction.
+
+    Attributes
+    ----------
+    area_m2 : float
+        Of the piers along the direction, at mid-height.
+    weight_n : float
+        Of the floor above with half of the walls below and above it.
+    height_m : float
+        Of that floor above the ground.
+    compression_pa : float
+        Mean stress in the piers at mid-height.
+    """
+
+    area_m2: float
+    weight_n: float
+    height_m: float
+    compression_pa: float
+
+
+def base_shear_ratio(storeys, tau0_pa, *, homogeneity=1.0, piers=1.0, spandrels=1.0, plan=1.0):
+    """Base-shear coefficient V/W of a building in one direction, and the storey that decides.
+
+    Parameters
+    ----------
+    storeys : sequence of Storey
+        From the lowest up.
+    tau0_pa : float
+        Shear strength without compression.
+    homogeneity, piers, spandrels, plan : float
+        μ, ξ, ζ and β, see above.
+
+    Returns
+    -------
+    float, int
+        V/W, and the storey counted from 1.
+
+    Raises
+    ------
+    ValueError
+        In one line, for values that are not positive.
+    """
+    for name, value in (("tau0_pa", tau0_pa), ("plan", plan)):
+        if not value > 0.0:
+            raise ValueError(f"{name} = {value}: expected a number above 0")
+    for number, one in enumerate(storeys, 1):
+        if not (one.area_m2 > 0.0 and one.weight_n > 0.0 and one.compression_pa >= 0.0):
+            raise ValueError(f"storey {number}: expected an area and a weight above 0, got {one}")
+    weight = np.array([one.weight_n for one in storeys])
+    moment = weight * np.array([one.height_m for one in storeys])
+    above = np.cumsum(moment[::-1])[::-1] / moment.sum()
+    strength = np.array([one.area_m2 * _tau(one.compression_pa, tau0_pa) for one in storeys])
+    found = homogeneity * piers * spandrels * strength / (plan * above * weight.sum())
+    return float(found.min()), int(found.argmin()) + 1
+
+
+def _tau(compression_pa, tau0_pa):
+    return tau0_pa * math.sqrt(1.0 + compression_pa / (TRANSVERSE * tau0_pa))
+
+
+def with_interval(storeys, tau0_pa, **factors):
+    """V/W with its ends: the low one with the lower τ0 and 0.8 for ξ and ζ, the high one with 1.
+
+    Parameters
+    ----------
+    storeys : sequence of Storey
+    tau0_pa : tuple of 2 floats
+        Lowest and highest, as `MASONRY` has them in MPa.
+    factors
+        μ and β of `base_shear_ratio`.
+
+    Returns
+    -------
+    middle, low, high : float
+        The middle is the geometric mean of the ends.
+    """
+    low, _ = base_shear_ratio(storeys, tau0_pa[0], piers=0.8, spandrels=0.8, **factors)
+    high, _ = base_shear_ratio(storeys, tau0_pa[1], **factors)
+    return math.sqrt(low * high), low, high
+
+
+def storeys_of(area_share, floors, floor_pa, storey_m, density_kg_m3=1800.0, walls_share=None):
+    """Storeys of a building that is known by a few numbers, per square metre of floor.
+
+    Parameters
+    ----------
+    area_share : float
+        Area of the walls along the direction over that of the floor.
+    floors : int
+    floor_pa : float
+        Weight of a floor, with the live load that counts.
+    storey_m : float
+        Height of a storey.
+    density_kg_m3 : float
+        Of the masonry.
+    walls_share : float, optional
+        Area of all walls, openings filled, over that of the floor, for their weight; by default
+        twice that of those along.
+
+    Returns
+    -------
+    list of Storey
+    """
+    total, found = walls_share or 2.0 * area_share, []
+    wall = density_kg_m3 * GRAVITY_M_S2 * storey_m * total
+    for level in range(1, floors + 1):
+        here = wall if level < floors else 0.5 * wall
+        above = (floors - level + 1) * floor_pa + (floors - level + 0.5) * wall
+        found.append(Storey(area_share, floor_pa + here, level * storey_m, above / total))
+    return found
+
+
+def storeys_of_plan(plan, floor_pa, density_kg_m3=1800.0, axis="y"):
+    """Storeys of a plan in the direction x or y; façades count as weight, not as resistance.
+
+    A plan is `yade_scripts.model.building.plan.Plan`. Piers are what openings leave of the walls
+    along the direction at mid-height of each storey; their mean compression is that of all walls.
+
+    Returns
+    -------
+    list of Storey
+    """
+    levels = [floor.level_m for floor in plan.floors]
+    edges, found = [0.0, *levels], []
+    gravity = density_kg_m3 * GRAVITY_M_S2
+    wide, deep = (max(w.length_m for w in plan.walls if w.axis == k) for k in (0, 1))
+    area, along = wide * deep, "xy".index(axis)
+    top = max(wall.top_m for wall in plan.walls)
+
+    def section(z):
+        return sum(_pier_area(w, z) for w in plan.walls)
+
+    def masonry(low, high):
+        heights = np.linspace(low, high, 200)
+        return gravity * float(np.trapezoid([section(z) for z in heights], heights))
+
+    for k, level in enumerate(levels):
+        middle = 0.5 * (edges[k] + level)
+        upper = 0.5 * (level + levels[k + 1]) if k + 1 < len(levels) else top
+        above = masonry(middle, top) + floor_pa * area * (len(levels) - k)
+        piers = [w for w in plan.walls if w.axis == along and not w.facade]
+        weight = masonry(middle, upper) + floor_pa * area
+        resists = sum(_pier_area(w, middle) for w in piers)
+        if not resists > 0.0:
+            raise ValueError(f"plan {plan.name}: no wall along {axis} but façades")
+        found.append(Storey(resists, weight, level, above / section(middle)))
+    return found
+
+
+def _pier_area(wall, z):
+    """Area of a wall at a height, its openings left out [m²]."""
+    if not 0.0 <= z <= wall.top_m:
+        return 0.0
+    open_m = sum(o.width_m for o in wall.openings if o.sill_m <= z < o.head_m)
+    return wall.thickness_m * (wall.length_m - open_m)
+
+
+def main(arguments=None):
+    """Print V/W of a plan, or of a few numbers, with its interval."""
+    parser = argparse.ArgumentParser(
+        prog="python -m rocking.building.strength", description=__doc__.splitlines()[0]
+    )
+    parser.add_argument("--plan", help="plan file; without one, the four numbers below")
+    parser.add_argument("--axis", default="y", choices=("x", "y"), help="direction of the plan")
+    parser.add_argument("--masonry", default="brick and lime mortar", choices=tuple(MASONRY))
+    parser.add_argument(
+        "--area-share", type=float, default=0.05, help="walls along over floor area"
+    )
+    parser.add_argument("--storeys", type=int, default=2)
+    parser.add_argument("--floor-kpa", type=float, default=3.0, help="weight of a floor")
+    parser.add_argument("--storey-m", type=float, default=3.0, help="height of a storey")
+    args = parser.parse_args(arguments)
+    tau0 = tuple(1e6 * value for value in MASONRY[args.masonry])
+    if args.plan:
+        plan = plan_from_dict(read_yaml(args.plan), args.plan)
+        storeys = storeys_of_plan(plan, 1e3 * args.floor_kpa, axis=args.axis)
+    else:
+        storeys = storeys_of(args.area_share, args.storeys, 1e3 * args.floor_kpa, args.storey_m)
+    middle, low, high = with_interval(storeys, tau0)
+    for number, one in enumerate(storeys, 1):
+        print(
+            f"storey {number}: walls {one.area_m2:.3g} m², weight {1e-3 * one.weight_n:.3g} kN, "
+            f"compression {1e-6 * one.compression_pa:.3g} MPa"
+        )
+    print(f"V/W = {middle:.2f}, {low:.2f} to {high:.2f} ({args.masonry})")
+    print(f"smdof:\n  base_shear_ratio: {middle:.2f}")
+
+
+if __name__ == "__main__":
+    main()
