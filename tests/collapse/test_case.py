@@ -235,7 +235,7 @@ def test_a_scan_begins_where_it_is_told_to():
         (stated, {"from_g": 0.3}, 0.3),
     ):
         for name in ("scan", "climb"):
-            asked = next(strategy(name, one, outcomes, {**scan_settings(one.scene), **more}))
+            asked = next(strategy(name, one, outcomes, {**scan_settings(one.sections), **more}))
             assert asked.pga_g[0] == pytest.approx(expected)
 
 
