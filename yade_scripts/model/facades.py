@@ -24,7 +24,7 @@ class Step:
 
 
 @dataclass(frozen=True)
-class Opening:
+class Hole:
     """A hole through the façade: its middle along it, its sill above the base, its size [m]."""
 
     x_m: float
@@ -34,7 +34,7 @@ class Opening:
 
 
 @dataclass(frozen=True)
-class TieRow:
+class Rods:
     """A row of equal rods at a height above the base; `anchor_kn` None: it holds whatever it is."""
 
     height_m: float
@@ -119,14 +119,14 @@ class Facade:
     outline: str = "box"
     thickness_steps: tuple[Step, ...] = ()
     flush_face: str = "outer"
-    openings: tuple[Opening, ...] = ()
+    openings: tuple[Hole, ...] = ()
     gable_height_m: float = 0.0
     parapet_height_m: float = 0.0
     parapet_thickness_m: float | None = None
     base_height_m: float = 0.0
     building_height_m: float | None = None
     hinges_m: tuple[float, ...] | str = ()
-    ties: tuple[TieRow, ...] = ()
+    ties: tuple[Rods, ...] = ()
     floors: tuple[FloorRow, ...] = ()
 
     @classmethod
@@ -189,7 +189,7 @@ class Facade:
                 )
 
 
-ROWS = {"thickness_steps": Step, "openings": Opening, "ties": TieRow, "floors": FloorRow}
+ROWS = {"thickness_steps": Step, "openings": Hole, "ties": Rods, "floors": FloorRow}
 NAMES = {kind: {one.name for one in fields(kind)} for kind in (Facade, *ROWS.values())}
 NEEDED = {
     kind: {one.name for one in fields(kind) if one.default is one.default_factory} for kind in NAMES

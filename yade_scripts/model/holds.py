@@ -3,7 +3,7 @@
 One description, which hand calculation and both dynamic models read. A hold pulls inward with k on
 what its point has moved past its slack, at most with its capacity, and is lost at its reach.
 
-    tie       a row of rods, see `TieRow.rod`; its reach is slack + elongation
+    tie       a row of rods, see `Rods.rod`; its reach is slack + elongation
     anchor    of a floor: F_a (`anchor_kn`), lost at `anchor_reach_m`
     friction  of a floor under its load: μ P, without an end
 
@@ -36,7 +36,7 @@ class Hold(NamedTuple):
 
 
 def of_tie(row):
-    """`Hold` of a `TieRow`."""
+    """`Hold` of a `Rods`."""
     stiffness, capacity, elongation = row.rod
     slack = 1e-3 * row.slack_mm
     return Hold(TIE, row.height_m, stiffness, capacity, slack, slack + elongation)
