@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from rocking.configuration import config
 from rocking.mechanics import column
 from rocking.mechanics.closed_forms import capacity_compliant_base, capacity_rigid
 from scipy.integrate import solve_bvp
@@ -156,8 +157,8 @@ def test_the_stiff_walls_hinge_is_thinner_than_a_course():
 def on_base(wall, law):
     """λ of the rigid block on its base over D."""
     h, b, density, e_mpa = WALLS[wall]
-    facade = {"height_m": h, "thickness_m": b, "e_mpa": e_mpa}
-    facade |= {"base_stiffness_pa_m": None, "base": law}
+    own = {"height_m": h, "thickness_m": b, "density_kg_m3": density, "e_mpa": e_mpa, "base": law}
+    facade = {**config.resolve({})["facade"], **own}
     jkn, edge = base.parts(facade)
     theta = np.arcsin(D * b / h)
     return capacity_compliant_base(theta, h, b, density, jkn, edge_pa=edge)

@@ -3,9 +3,9 @@
 import math
 
 import pytest
-from rocking.mechanics.blocks import Facade, Held, overturning
+from rocking.mechanics.blocks import Held, PlainFacade, overturning
 
-WALL = Facade(6.0, 0.6, 100e3)
+WALL = PlainFacade(6.0, 0.6, 100e3)
 STRONG = 40e3  # takes far more than half of the multiplier with it
 
 

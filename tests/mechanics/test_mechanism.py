@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from rocking.mechanics.blocks import Facade, courses, overturning, two_blocks
+from rocking.mechanics.blocks import PlainFacade, courses, overturning, two_blocks
 from rocking.mechanics.closed_forms import (
     GRAVITY_M_S2,
     Interlocked,
@@ -12,7 +12,7 @@ from rocking.mechanics.closed_forms import (
     capacity_rigid,
 )
 
-WALL = Facade(height_m=6.0, thickness_m=0.6, weight_n=100e3)
+WALL = PlainFacade(height_m=6.0, thickness_m=0.6, weight_n=100e3)
 
 
 def three(value, expected):
@@ -69,7 +69,7 @@ def test_interlocking_is_the_kinematic_curve_of_the_study():
     bricks = Interlocked(0.324, 0.125, 0.375, math.tan(math.radians(30)))
     pulls = courses(h, bricks, rho * 9.81)
     weight = rho * GRAVITY_M_S2 * h * b * w
-    found = overturning(Facade(h, b, weight), pulls)
+    found = overturning(PlainFacade(h, b, weight), pulls)
     theta = np.array([0.0, 0.01, 0.0195, 0.03, 0.05])
     other = capacity_interlocking(theta, h, b, w, rho, bricks)
     assert [found.multiplier(t) for t in theta] == pytest.approx(other, rel=1e-3)

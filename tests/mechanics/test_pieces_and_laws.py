@@ -4,14 +4,14 @@ import json
 
 import pytest
 from rocking.mechanics import beta
-from rocking.mechanics.blocks import Facade, overturning, two_blocks
+from rocking.mechanics.blocks import PlainFacade, overturning, two_blocks
 
 
 def test_pieces_lie_between_hinge_and_top():
     """For drawings: what turns about the base, and the two blocks of a span, each on its path."""
-    (one,) = overturning(Facade(6.0, 0.6, 100e3)).pieces
+    (one,) = overturning(PlainFacade(6.0, 0.6, 100e3)).pieces
     assert one[:2] == (0.0, 6.0)
-    lower, upper = two_blocks(Facade(6.0, 0.6, 100e3), 3.5).pieces
+    lower, upper = two_blocks(PlainFacade(6.0, 0.6, 100e3), 3.5).pieces
     assert (lower[:2], upper[:2]) == ((0.0, 3.5), (3.5, 6.0))
     meet = [piece[2]((0.0, 3.5))(0.05) for piece in (lower, upper)]
     assert [y.real for y, _ in meet] == pytest.approx([meet[0][0].real] * 2)

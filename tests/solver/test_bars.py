@@ -10,7 +10,7 @@ from rocking.solver.plane import to_plane
 from yade_process import resolved
 
 from yade_scripts.model.facade import facade_scene
-from yade_scripts.model.holds import rod
+from yade_scripts.model.facades import Rods
 
 TIE = {"height_m": 6.0, "count": 2, "diameter_mm": 16.0, "length_m": 4.0, "slack_mm": 3.0}
 ROOF = {"height_m": 5.0, "load_kn": 30.0, "arm_m": 0.1, "friction": 17.0 / 30.0}
@@ -68,7 +68,7 @@ def test_forces_are_the_slope_of_the_energy(which):
 def test_a_tie_pulls_past_its_slack_yields_and_snaps():
     """Moved straight outward: nothing up to 3 mm, then k e, then A f_y, then nothing for good."""
     config, _, bars = held([TIE])
-    k, most, snap = rod(config["facade"]["ties"][0])
+    k, most, snap = Rods(**config["facade"]["ties"][0]).rod
     assert act(bars, y=2.9e-3)[0] == pytest.approx([0.0, 0.0, 0.0])
     push, force, elastic, spent, _ = act(bars, y=4e-3)
     assert push[0] == pytest.approx(-k * 1e-3, rel=1e-9)

@@ -11,7 +11,7 @@ from rocking.solver.runs import Motions, history
 from yade_process import resolved
 
 from yade_scripts.model.facade import facade_scene
-from yade_scripts.model.holds import rod
+from yade_scripts.model.facades import Rods
 from yade_scripts.model.scene import TIE
 from yade_scripts.model.stiffness import assemble
 
@@ -39,8 +39,8 @@ def test_a_row_of_rods():
     Steel snaps at 5 % of 4 m; an anchor of 30 kN each gives way at 60 kN, 2.984 mm.
     """
     (row,) = resolved(facade={"ties": [ROW]})["facade"]["ties"]
-    assert rod(row) == pytest.approx((20.106e6, 94.50e3, 0.2), rel=1e-4)
-    weak = rod({**row, "anchor_kn": 30.0})
+    assert Rods(**row).rod == pytest.approx((20.106e6, 94.50e3, 0.2), rel=1e-4)
+    weak = Rods(**{**row, "anchor_kn": 30.0}).rod
     assert weak == pytest.approx((20.106e6, 60e3, 2.984e-3), rel=1e-3)
 
 
@@ -56,7 +56,7 @@ def test_static_capacity(anchor_kn):
     f = config["facade"]
     h, b = f["height_m"], f["thickness_m"]
     weight = f["density_kg_m3"] * h * b * f["width_m"] * G
-    k, force, snap = rod(config["facade"]["ties"][0])
+    k, force, snap = Rods(**config["facade"]["ties"][0]).rod
     theta = np.linspace(1e-5, 0.02, 20001)
     y = -b * np.cos(theta) + row["height_m"] * np.sin(theta)  # of the tie's end, from the toe
     z = b * np.sin(theta) + row["height_m"] * np.cos(theta)
@@ -113,7 +113,7 @@ def test_yade_and_the_compiled_solver(name):
     row, model, amplitude = CASES[name]
     config, scene = tied(row, model=model, numerics=FEW)
     planar, got = agreed(config, scene, model, amplitude, 0.1)
-    k, force, snap = rod(config["facade"]["ties"][0])
+    k, force, snap = Rods(**config["facade"]["ties"][0]).rod
     lost = got["last"][7]  # by yielding and snapping
     if name == "snaps":
         assert planar.broken == 1
@@ -127,7 +127,7 @@ def test_matrices_hold_the_tie():
     """K of the scene file and of the plane: k at the height of the tie, about the centroid."""
     _, bare = tied()
     config, scene = tied(ROW)
-    k, _, _ = rod(config["facade"]["ties"][0])
+    k, _, _ = Rods(**config["facade"]["ties"][0]).rod
     row = np.array([1.0, 0.0, -(ROW["height_m"] - 0.5 * config["facade"]["height_m"])])
     gain = assemble(scene).dense()[0] - assemble(bare).dense()[0]
     assert gain == pytest.approx(k * np.outer(row, row), rel=1e-9, abs=1e-6 * k)

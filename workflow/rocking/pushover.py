@@ -9,7 +9,7 @@ import pandas as pd
 from rocking.mechanics import closed_forms
 from rocking.mechanics.smoothing import smoothed
 from yade_scripts.model import base, interlocking, registry
-from yade_scripts.model.shape import refuse
+from yade_scripts.model.facades import Facade
 
 RULES = ("rigid", "bonded", "sliding", "hinged")
 DRAWN = (*RULES, "study")
@@ -72,7 +72,8 @@ def laid(config):
 
 def theta_of(d_over_b, facade):
     """Rotation [rad] whose top displacement h sin θ is d."""
-    ratio = np.asarray(d_over_b) * facade["thickness_m"] / facade["height_m"]
+    facade = Facade.of(facade)
+    ratio = np.asarray(d_over_b) * facade.thickness_m / facade.height_m
     return np.arcsin(np.clip(ratio, -1.0, 1.0))
 
 
@@ -83,14 +84,14 @@ def closed_form(d_over_b, config, model):
     `capacity_compliant_base` − tan(α − θ): the reaction stands inside the toe by a third of the
     width in contact, whatever else holds the façade. Lower is NaN without interlocking.
     """
-    facade, wall = config["facade"], config["return_wall"]
-    refuse(facade, "the kinematic curve")
-    h, b = facade["height_m"], facade["thickness_m"]
+    facade, wall = Facade.of(config["facade"]), config["return_wall"]
+    facade.refuse("the kinematic curve")
+    h, b = facade.height_m, facade.thickness_m
     theta = theta_of(d_over_b, facade)
     rigid = closed_forms.capacity_rigid(theta, h, b)
     jkn, edge_pa = base.parts(facade)
     compliant = closed_forms.capacity_compliant_base(
-        np.maximum(theta, 1e-12), h, b, facade["density_kg_m3"], jkn, edge_pa=edge_pa
+        np.maximum(theta, 1e-12), h, b, facade.density_kg_m3, jkn, edge_pa=edge_pa
     )
     if registry.model(model).walls != "bricks":
         return rigid, np.full_like(rigid, np.nan), compliant - rigid
@@ -98,7 +99,7 @@ def closed_form(d_over_b, config, model):
     friction = math.tan(math.radians(w3["friction_deg"]))
     sizes = w3["course_height_m"], w3["overlap_m"], wall["thickness_m"]
     bricks = closed_forms.Interlocked(*sizes, friction, wall["count"])
-    given = theta, h, b, facade["width_m"], facade["density_kg_m3"], bricks
+    given = theta, h, b, facade.width_m, facade.density_kg_m3, bricks
     upper, lower = (closed_forms.capacity_interlocking(*given, k) for k in ("upper", "lower"))
     return upper, lower, compliant - rigid
 

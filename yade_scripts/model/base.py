@@ -19,18 +19,20 @@ import itertools
 
 import numpy as np
 
+from yade_scripts.model.facades import STUDY, Facade
+
 BASE = "base"  # name of the block that a façade stands on
-STUDY, COLUMN = "study", "column"
 EDGE = 0.3  # stiffness along either edge, over E b/h
 SPREAD = 4.0 - 6.0 * EDGE  # stiffness spread evenly, over E/h
 
 
 def base_jkn(facade):
     """Joint stiffness of the base [Pa/m]: as stated; E/h; of courses E over half a course."""
-    if facade["base_stiffness_pa_m"]:
-        return facade["base_stiffness_pa_m"]
-    length = 0.5 * course_tops(facade)[0] if facade.get("courses") else facade["height_m"]
-    return facade["e_mpa"] * 1e6 / length
+    facade = Facade.of(facade)
+    if facade.base_stiffness_pa_m:
+        return facade.base_stiffness_pa_m
+    length = 0.5 * course_tops(facade)[0] if facade.courses else facade.height_m
+    return facade.e_mpa * 1e6 / length
 
 
 def course_tops(facade):
@@ -38,22 +40,24 @@ def course_tops(facade):
 
     Each is `courses_growth` times as high as the one below it.
     """
-    growth = facade.get("courses_growth") or 1.0
-    sums = list(itertools.accumulate(growth**k for k in range(facade["courses"])))
-    return [facade["height_m"] * (each / sums[-1]) for each in sums]
+    facade = Facade.of(facade)
+    growth = facade.courses_growth or 1.0
+    sums = list(itertools.accumulate(growth**k for k in range(facade.courses)))
+    return [facade.height_m * (each / sums[-1]) for each in sums]
 
 
 def parts(facade):
     """Stiffness spread evenly [Pa/m], and along either edge [Pa] per width."""
+    facade = Facade.of(facade)
     jkn = base_jkn(facade)
-    if facade.get("base", STUDY) == STUDY:
+    if facade.base == STUDY:
         return jkn, 0.0
-    return SPREAD * jkn, EDGE * jkn * facade["thickness_m"]
+    return SPREAD * jkn, EDGE * jkn * facade.thickness_m
 
 
 def total(facade):
     """Stiffness of the whole base over jkn·b·w."""
-    return 1.0 if facade.get("base", STUDY) == STUDY else SPREAD + 2.0 * EDGE
+    return 1.0 if facade.base == STUDY else SPREAD + 2.0 * EDGE
 
 
 def shares(facade, weights):
@@ -61,7 +65,7 @@ def shares(facade, weights):
 
     The weights sum to 1; the first node and the last stand on the edges.
     """
-    if facade.get("base", STUDY) == STUDY:
+    if facade.base == STUDY:
         return np.asarray(weights, float)
     share = SPREAD * np.asarray(weights, float)
     share[[0, -1]] += EDGE

@@ -31,6 +31,7 @@ import numpy as np
 
 from yade_scripts.model import registry
 from yade_scripts.model.base import BASE, base_jkn, shares, total
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.floors import facade_floors, level_loads
 from yade_scripts.model.gravity import GRAVITY_M_S2
@@ -41,10 +42,10 @@ from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
 from yade_scripts.model.rest import at_rest
 from yade_scripts.model.return_walls import WALL, add_return_walls, back_jkn
 from yade_scripts.model.scene import DOFS, DRY, NO_DRAG, Block, NodeList, Scene, box_inertia, held
-from yade_scripts.model.shape import is_plain, shape_of
+from yade_scripts.model.shape import shape_of
 from yade_scripts.model.storeys import sliders
 from yade_scripts.model.ties import anchor_ties, facade_ties
-from yade_scripts.model.wall_motion import building_height, motion_of
+from yade_scripts.model.wall_motion import motion_of
 
 FACADE, UNDER = "façade", "ground"  # that under the masses, where the base hangs on them
 NO_SHEAR = 1e-6  # jks/jkn of a joint that slides freely
@@ -57,16 +58,16 @@ def joint_stiffness(config):
 
 def ground_block(facade, motion):
     """The base that a façade stands on, at rest or driven."""
-    b = facade["thickness_m"]
-    size = (2 * facade["width_m"], 4 * facade["height_m"], 1.0)
+    b = facade.thickness_m
+    size = (2 * facade.width_m, 4 * facade.height_m, 1.0)
     still = (1.0, 1.0, 1.0)
     return Block(BASE, (0.0, 0.5 * b, -0.5), size, 1.0, still, free="", motion=motion)
 
 
 def plain_block(facade, free, x_m=0.0, back_m=0.0):
     """A plain façade settled on its base, the middle of its back face at x and y."""
-    h, b, width = facade["height_m"], facade["thickness_m"], facade["width_m"]
-    mass = facade["density_kg_m3"] * h * b * width
+    h, b, width = facade.height_m, facade.thickness_m, facade.width_m
+    mass = facade.density_kg_m3 * h * b * width
     sunk = mass * GRAVITY_M_S2 / (total(facade) * base_jkn(facade) * b * width)
     size = (width, b, h)
     return Block(
@@ -104,15 +105,16 @@ def facade_scene(
         raise ValueError(f"façade model '{model}' has an assembly of its own")
     if not 0.0 <= release_ratio < 1.0:
         raise ValueError(f"release θ0/α must lie in [0, 1), got {release_ratio}")
-    facade = config["facade"]
-    shape, raised = shape_of(facade), facade.get("base_height_m", 0.0)
+    facade = Facade.of(config["facade"])
+    config = {**config, "facade": facade}
+    shape, raised = shape_of(facade), facade.base_height_m
     if two_components and (planar or kind.two_way or shape.hinges_m):
         raise ValueError(f"{model}: two components need a full scene, one block, driven supports")
     motions: dict = {}
     hangs = kind.two_way and bool(raised)
     driven = None if kind.two_way else _base_motion(config, motions)
     blocks, nodes = [ground_block(facade, driven)], NodeList()
-    walls_stand = kind.walls != "none" and facade.get("sides") != "two"
+    walls_stand = kind.walls != "none" and not facade.is_free
     columns = None if planar else _columns(shape.base_strips, width_nodes)
     base = 2 + len(shape.hinges_m) if hangs else 0
     beds = Beds(config, beta_s, nodes, planar=planar)
@@ -137,12 +139,9 @@ def facade_scene(
 
     pressing = level_loads(facade, shape, blocks, walls, beds)
     behind = walls, blocks, shape
-    ties = facade_ties(facade.get("ties", ()), *behind)
-    ties += anchor_ties(facade.get("floors", ()), *behind)
-    floors, springs = facade_floors(
-        facade.get("floors", ()), *behind, config["smdof"]["damping_ratio"]
-    )
-    even, found = _even(nodes.joints, tops) if facade.get("courses") else [], nodes.done()
+    ties = facade_ties(facade.ties, *behind) + anchor_ties(facade.floors, *behind)
+    floors, springs = facade_floors(facade.floors, *behind, config["smdof"]["damping_ratio"])
+    even, found = _even(nodes.joints, tops) if facade.courses else [], nodes.done()
     of_courses = np.isin(found.joint, [nodes.joints.index(name) for name in even])
     found.drag[of_courses & (found.kind == DRY)] = NO_DRAG
     notes = {"motions": motions, "watched": tops, "even": even}
@@ -153,7 +152,7 @@ def facade_scene(
         monitor=blocks[1 + len(tops)].name,
         monitor_point_m=(0.0, 0.5 * sum(shape.storeys[-1][2:]), shape.top_m),
         reference=BASE,
-        thickness_m=facade["thickness_m"] if is_plain(facade) else shape.overturning_m,
+        thickness_m=facade.thickness_m if facade.is_plain else shape.overturning_m,
         links=[*links, *springs],
         ties=ties,
         floors=floors + pressing + _storeys(config, blocks, masses),
@@ -171,11 +170,10 @@ def _storeys(config, blocks, masses):
 def _base_motion(config, motions):
     """Name of the motion of a driven base: the ground's, or further up the chain's by height."""
     facade = config["facade"]
-    raised = facade.get("base_height_m", 0.0)
-    if not raised:
+    if not facade.base_height_m:
         return GROUND
-    whole, n = building_height(facade), config["smdof"]["n_dof"]
-    return motion_of("interpolated", raised, whole, n, motions)
+    whole, n = facade.building_top_m, config["smdof"]["n_dof"]
+    return motion_of("interpolated", facade.base_height_m, whole, n, motions)
 
 
 def _along_the_facade(motions):
@@ -193,11 +191,11 @@ def _even(joints, tops):
 
 def _stand(beds, blocks, shape, columns, release_ratio, walls_stand, base):
     """Append the façade, whole or in pieces, and the joints that it stands on, on block `base`."""
-    facade = beds.section
-    b, width = facade["thickness_m"], facade["width_m"]
+    facade = beds.facade
+    b, width = facade.thickness_m, facade.width_m
     # Debris under the base (tilt) belongs to the block as protruding nodes: it
     # rests rotated by φ about its front toe and cannot come back to the vertical.
-    protrusion = (1.0 - beds.points) * b * math.tan(math.radians(facade["tilt_deg"]))
+    protrusion = (1.0 - beds.points) * b * math.tan(math.radians(facade.tilt_deg))
     beds.base(1, base, protrusion_m=protrusion, columns=columns)
     kn = shares(facade, beds.weights) * b * (width - shape.base_lost_m) * base_jkn(facade)
     displacement, rotation = at_rest(facade, shape, kn, beds.points, release_ratio, walls_stand)
@@ -223,9 +221,9 @@ class Beds:
 
     def __init__(self, config, beta_s, nodes, *, planar):
         """Of a façade of this configuration; its joints are added to `nodes`."""
-        self.section, self.beta_s, self.nodes = config["facade"], beta_s, nodes
+        self.facade, self.beta_s, self.nodes = Facade.of(config["facade"]), beta_s, nodes
         self.points, self.weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
-        gauss = np.array([-0.5, 0.5]) * (self.section["width_m"] / math.sqrt(3.0))
+        gauss = np.array([-0.5, 0.5]) * (self.facade.width_m / math.sqrt(3.0))
         self.columns = MIDDLE if planar else (gauss, np.array([0.5, 0.5]))  # x and weights
 
     def base(self, facade, ground, *, origin=(0.0, 0.0), protrusion_m=0.0, columns=None):
@@ -235,16 +233,16 @@ class Beds:
         node across the thickness stands below the base; `columns` are other places in x and
         weights than those of the joints above it.
         """
-        section, points, weights = self.section, self.points, self.weights
-        b, standing = section["thickness_m"], section["width_m"] - shape_of(section).base_lost_m
+        own, points, weights = self.facade, self.points, self.weights
+        b, standing = own.thickness_m, own.width_m - shape_of(own).base_lost_m
         low = np.broadcast_to(protrusion_m, points.shape)
         line = np.stack([origin[0] + 0 * points, origin[1] + points * b, 0 * points - low], axis=1)
         columns = columns or self.columns
         places, areas = over_columns(line, weights * b * standing, columns)
         gaps = np.tile(-low, len(columns[0]))
-        jkn = base_jkn(section) * np.tile(shares(section, weights) / weights, len(columns[0]))
-        jks = section["shear_stiffness_ratio"] * jkn
-        held_by = {"beta_s": self.beta_s, **bond(section), "gap_m": gaps}
+        jkn = base_jkn(own) * np.tile(shares(own, weights) / weights, len(columns[0]))
+        jks = own.shear_stiffness_ratio * jkn
+        held_by = {"beta_s": self.beta_s, **bond(own), "gap_m": gaps}
         self.nodes.add_joint(BASE, facade, ground, places, (0, 0, 1), areas, jkn, jks, **held_by)
 
     def bed(self, name, upper, lower, height_m, jkn, *, load="", meets=None):
@@ -254,23 +252,23 @@ class Beds:
         transmits no shear. Else the joint has the base's friction and bond. `meets` are faces
         (y0, y1) and lost width, see `Shape.joint_at`; None: the whole thickness and width.
         """
-        section = self.section
-        y0, y1, lost = meets or (0.0, section["thickness_m"], 0.0)
-        b, width = y1 - y0, section["width_m"] - lost
+        own = self.facade
+        y0, y1, lost = meets or (0.0, own.thickness_m, 0.0)
+        b, width = y1 - y0, own.width_m - lost
         points, weights = self.points, self.weights
         if load == "point":
             points, weights = np.array([0.5]), np.array([1.0])
         line = np.stack([0 * points, y0 + points * b, height_m + 0 * points], axis=1)
         places, areas = over_columns(line, weights * b * width, self.columns)
-        jks = (NO_SHEAR if load else section["shear_stiffness_ratio"]) * jkn
-        held_by = {"beta_s": self.beta_s, **(held(0.0, 0.0, 0.0) if load else bond(section))}
+        jks = (NO_SHEAR if load else own.shear_stiffness_ratio) * jkn
+        held_by = {"beta_s": self.beta_s, **(held(0.0, 0.0, 0.0) if load else bond(own))}
         self.nodes.add_joint(name, upper, lower, places, (0, 0, 1), areas, jkn, jks, **held_by)
 
 
-def bond(section):
+def bond(facade):
     """What holds base and hinges of a façade, as `NodeList.add_joint` takes it."""
-    tension, cohesion = (section.get(f"bond_{what}_mpa", 0.0) for what in ("tension", "cohesion"))
-    return held(tension * 1e6, cohesion * 1e6, math.radians(section["friction_deg"]))
+    tension, cohesion = facade.bond_tension_mpa, facade.bond_cohesion_mpa
+    return held(tension * 1e6, cohesion * 1e6, math.radians(facade.friction_deg))
 
 
 def _columns(strips, count):

@@ -31,8 +31,8 @@ def loaded(rows, shape):
     """Weight of a façade with its floors' loads [N], and its lever, see `Shape.lever_m`."""
     weights, levers = [shape.mass_kg * GRAVITY_M_S2], [shape.lever_m]
     for row in rows:
-        weights.append(1e3 * row["load_kn"])
-        levers.append((shape.thickness_m - place_of(row, shape)[1], row["height_m"]))
+        weights.append(row.load_n)
+        levers.append((shape.thickness_m - place_of(row, shape)[1], row.height_m))
     total = sum(weights)
     arm, height = (
         sum(w * part for w, part in zip(weights, parts, strict=True)) / total
@@ -43,25 +43,9 @@ def loaded(rows, shape):
 
 def place_of(row, shape):
     """Point of a floor on the façade: s from its inner face, or the middle of its thickness."""
-    back, front = shape.faces_at(row["height_m"])
-    y = 0.5 * (back + front) if row["arm_m"] is None else back + row["arm_m"]
-    return 0.0, y, row["height_m"]
-
-
-def is_flat(row):
-    """Whether the load of a floor lies on the whole thickness and stays level."""
-    return row.get("bearing") == "flat"
-
-
-def has_inertia(row):
-    """Whether the load of a floor moves up and down with its mass; by its bearing if not stated."""
-    stated = row.get("load_inertia")
-    return is_flat(row) if stated is None else stated
-
-
-def is_block(row):
-    """Whether the load of a floor is a block of its own."""
-    return row["load_kn"] > 0.0 and (is_flat(row) or has_inertia(row))
+    back, front = shape.faces_at(row.height_m)
+    y = 0.5 * (back + front) if row.arm_m is None else back + row.arm_m
+    return 0.0, y, row.height_m
 
 
 def lever_of(row, thickness_m):
@@ -69,12 +53,12 @@ def lever_of(row, thickness_m):
 
     What stays level then bears on the outer edge.
     """
-    if is_flat(row):
+    if row.is_flat:
         return thickness_m
-    return 0.5 * thickness_m if row["arm_m"] is None else row["arm_m"]
+    return 0.5 * thickness_m if row.arm_m is None else row.arm_m
 
 
-def level_loads(section, shape, blocks, walls, beds):
+def level_loads(facade, shape, blocks, walls, beds):
     """Append the blocks of loads that are flat or have inertia, at rest on the façade's top.
 
     Returned are floors that press on those without inertia. `beds` are the façade's `facade.Beds`,
@@ -83,13 +67,13 @@ def level_loads(section, shape, blocks, walls, beds):
     pressing = []
     top = 1 + len(shape.hinges_m)
     upper = shape.height_m - max([0.0, *shape.hinges_m])
-    jkn = section["base_stiffness_pa_m"] or section["e_mpa"] * 1e6 / (0.5 * upper)
+    jkn = facade.base_stiffness_pa_m or facade.e_mpa * 1e6 / (0.5 * upper)
     size = (shape.width_m, shape.thickness_m, DEPTH_M)
-    for number, row in enumerate(section.get("floors", ()), 1):
-        if not is_block(row):
+    for number, row in enumerate(facade.floors, 1):
+        if not row.is_block:
             continue
-        load, share = 1e3 * row["load_kn"], 1.0 if has_inertia(row) else LIGHT
-        carrier = wall_behind(f"floors[{number}].height_m", row["height_m"], walls, blocks)
+        load, share = row.load_n, 1.0 if row.has_inertia else LIGHT
+        carrier = wall_behind(f"floors[{number}].height_m", row.height_m, walls, blocks)
         sunk = load / (jkn * shape.thickness_m * shape.width_m) - blocks[top].displacement_m[2]
         own = len(blocks)
         blocks.append(
@@ -104,7 +88,7 @@ def level_loads(section, shape, blocks, walls, beds):
                 displacement_m=(0.0, 0.0, -sunk),
             )
         )
-        lies = "flat" if is_flat(row) else "point"
+        lies = "flat" if row.is_flat else "point"
         beds.bed(f"bearing {number}", own, top, shape.height_m, jkn, load=lies)
         if share < 1.0:
             place, rest = blocks[own].centre_m, (1.0 - share) * load
@@ -130,28 +114,28 @@ def wall_behind(what, height_m, walls, blocks):
 def facade_floors(rows, walls, blocks, shape, damping_ratio):
     """Floors of a façade and links of those with a mass, whose blocks are appended to `blocks`.
 
-    `rows` are section facade.floors; `walls` are indices of the return walls' blocks, none: the
+    `rows` are `Facade.floors`; `walls` are indices of the return walls' blocks, none: the
     base carries the floors. Block 1 and those after it are the façade's, as `shape` numbers its
     pieces; the damping ratio is that of a floor on its spring. ValueError of one line, if a floor
     meets no return wall.
     """
     floors, links = [], []
     for number, row in enumerate(rows, 1):
-        z, name = row["height_m"], f"floor {number}"
+        z, name = row.height_m, f"floor {number}"
         carrier = wall_behind(f"floors[{number}].height_m", z, walls, blocks)
-        if row["mass_t"] > 0.0:
-            mass, omega = 1e3 * row["mass_t"], 2.0 * math.pi / row["period_s"]
+        if row.mass_t > 0.0:
+            mass, omega = 1e3 * row.mass_t, 2.0 * math.pi / row.period_s
             size = (shape.width_m, blocks[carrier].size_m[1], DEPTH_M)
             place = (0.0, -0.5 * size[1], z)
             spring, dashpot = mass * omega**2, 2.0 * damping_ratio * mass * omega
             links.append(Link(name, len(blocks), carrier, spring, dashpot, place))
             carrier = len(blocks)
             blocks.append(Block(name, place, size, mass, (1.0,) * 3, free="y"))
-        load = 0.0 if is_block(row) else 1e3 * row["load_kn"]
-        slides = [hold for hold in of_floor(row) if hold.kind == FRICTION or row["mass_t"]]
+        load = 0.0 if row.is_block else row.load_n
+        slides = [hold for hold in of_floor(row) if hold.kind == FRICTION or row.mass_t]
         capacity = sum(hold.capacity_n for hold in slides)
         if load or capacity:
             own, place = 1 + shape.piece_at(z), place_of(row, shape)
-            stiffness = 1e3 * row["stiffness_kn_m"]
+            stiffness = 1e3 * row.stiffness_kn_m
             floors.append(Floor(name, own, carrier, place, load, stiffness, capacity))
     return floors, links

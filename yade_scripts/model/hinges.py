@@ -16,23 +16,23 @@ import numpy as np
 from yade_scripts.model.gravity import GRAVITY_M_S2
 
 
-def hinge_stiffness(section, shape):
+def hinge_stiffness(facade, shape):
     """Joint stiffness jkn of each hinge from the lowest up [Pa/m]."""
     edges = np.array([0.0, *shape.hinges_m, shape.height_m])
-    return section["e_mpa"] * 1e6 / (0.5 * (edges[2:] - edges[:-2]))
+    return facade.e_mpa * 1e6 / (0.5 * (edges[2:] - edges[:-2]))
 
 
-def pieces(section, shape, whole):
+def pieces(facade, shape, whole):
     """Blocks of the pieces from the lowest up, at rest on each other as the whole on its base."""
     sunk, found = -whole.displacement_m[2], []
     joints = [shape.joint_at(z) for z in shape.hinges_m]
     areas = np.array([(y1 - y0) * (shape.width_m - lost) for y0, y1, lost in joints])
-    settling = [0.0, *(1.0 / (areas * hinge_stiffness(section, shape)))]
+    settling = [0.0, *(1.0 / (areas * hinge_stiffness(facade, shape)))]
     parts = shape.pieces
     for k, (mass, centre, tensor, size) in enumerate(parts):
-        rows = [row for row in section.get("floors", ()) if shape.piece_at(row["height_m"]) >= k]
+        rows = [row for row in facade.floors if shape.piece_at(row.height_m) >= k]
         above = GRAVITY_M_S2 * sum(part[0] for part in parts[k:])
-        sunk += settling[k] * sum([above, *(1e3 * row["load_kn"] for row in rows)])
+        sunk += settling[k] * sum([above, *(row.load_n for row in rows)])
         found.append(
             replace(
                 whole,

@@ -3,7 +3,7 @@
 One description, which hand calculation and both dynamic models read. A hold pulls inward with k on
 what its point has moved past its slack, at most with its capacity, and is lost at its reach.
 
-    tie       a row of rods, see `rod`; its reach is slack + elongation
+    tie       a row of rods, see `Rods.rod`; its reach is slack + elongation
     anchor    of a floor: F_a (`anchor_kn`), lost at `anchor_reach_m`
     friction  of a floor under its load: μ P, without an end
 
@@ -14,6 +14,8 @@ follow. They share the stiffness of the two springs by their capacities.
 
 import math
 from typing import NamedTuple
+
+from yade_scripts.model.facades import Facade
 
 TIE, ANCHOR, FRICTION = "tie", "anchor", "friction"
 
@@ -33,43 +35,29 @@ class Hold(NamedTuple):
     reach_m: float
 
 
-def rod(row):
-    """Stiffness [N/m], capacity [N] and elongation [m] of a row of ties, an entry of facade.ties.
-
-    anchor_kn is that of one rod; None: it holds whatever the steel does.
-    """
-    area = math.pi / 4.0 * (1e-3 * row["diameter_mm"]) ** 2
-    stiffness = row["count"] * row["e_mpa"] * 1e6 * area / row["length_m"]
-    steel = row["count"] * row["yield_mpa"] * 1e6 * area
-    anchor = math.inf if row["anchor_kn"] is None else row["count"] * row["anchor_kn"] * 1e3
-    if anchor <= steel:
-        return stiffness, anchor, anchor / stiffness
-    return stiffness, steel, max(row["elongation"] * row["length_m"], steel / stiffness)
-
-
 def of_tie(row):
-    """`Hold` of a row of ties, an entry of facade.ties."""
-    stiffness, capacity, elongation = rod(row)
-    slack = 1e-3 * row["slack_mm"]
-    return Hold(TIE, row["height_m"], stiffness, capacity, slack, slack + elongation)
+    """`Hold` of a `Rods`."""
+    stiffness, capacity, elongation = row.rod
+    slack = 1e-3 * row.slack_mm
+    return Hold(TIE, row.height_m, stiffness, capacity, slack, slack + elongation)
 
 
 def of_floor(row):
-    """What holds at a floor, an entry of facade.floors: friction, anchors, if they hold at all.
+    """What holds at a `FloorRow`: friction, anchors, if they hold at all.
 
     No anchor is lost before it pulls F_a.
     """
-    capacities = 1e3 * row["friction"] * row["load_kn"], 1e3 * row["anchor_kn"]
-    stiffness, mass = 1e3 * row["stiffness_kn_m"], 1e3 * row["mass_t"]
-    reach, shares = max(row["anchor_reach_m"], capacities[1] / stiffness), (1.0, 1.0)
+    capacities = 1e3 * row.friction * row.load_kn, 1e3 * row.anchor_kn
+    stiffness, mass = 1e3 * row.stiffness_kn_m, 1e3 * row.mass_t
+    reach, shares = max(row.anchor_reach_m, capacities[1] / stiffness), (1.0, 1.0)
     if mass:
-        spring = mass * (2.0 * math.pi / row["period_s"]) ** 2
+        spring = mass * (2.0 * math.pi / row.period_s) ** 2
         stiffness = stiffness * spring / (stiffness + spring)
         reach = math.inf
         shares = tuple(force / (sum(capacities) or 1.0) for force in capacities)
     kinds = zip((FRICTION, ANCHOR), capacities, shares, (math.inf, reach), strict=True)
     return [
-        Hold(kind, row["height_m"], share * stiffness, force, 0.0, end)
+        Hold(kind, row.height_m, share * stiffness, force, 0.0, end)
         for kind, force, share, end in kinds
         if force > 0.0
     ]
@@ -77,5 +65,6 @@ def of_floor(row):
 
 def holds(facade):
     """All that holds a façade back: its ties, then its floors, row by row."""
-    ties = [of_tie(row) for row in facade.get("ties", ())]
-    return ties + [hold for row in facade.get("floors", ()) for hold in of_floor(row)]
+    facade = Facade.of(facade)
+    ties = [of_tie(row) for row in facade.ties]
+    return ties + [hold for row in facade.floors for hold in of_floor(row)]

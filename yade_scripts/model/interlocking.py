@@ -38,11 +38,13 @@ How a header hangs on the façade (`header_joint`)::
 """
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
 from yade_scripts.model import split_bricks
 from yade_scripts.model.facade import BASE, FACADE, Beds, ground_block, plain_block
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.panels import Hanging
 from yade_scripts.model.quadrature import GAUSS
@@ -70,7 +72,7 @@ def check(config, two_way=False):
     So if the courses do not fill the height, the overlap does not leave a half brick, a cut misses
     its brick, or a rule is unknown or not for these walls.
     """
-    height, w3 = config["facade"]["height_m"], config["w3"]
+    height, w3 = Facade.of(config["facade"]).height_m, config["w3"]
     course, overlap = w3["course_height_m"], w3["overlap_m"]
     courses = round(height / course)
     if abs(courses * course - height) > 1e-6 * height or courses < 2:
@@ -102,12 +104,12 @@ class _Assembly:
     """Collects blocks and joints of W3; one instance builds one scene."""
 
     def __init__(self, config, beta_s, two_way):
-        self.config, self.beta, self.two_way = config, beta_s, two_way
-        facade, wall, w3 = config["facade"], config["return_wall"], config["w3"]
-        self.h, self.b = facade["height_m"], facade["thickness_m"]
+        facade, wall, w3 = Facade.of(config["facade"]), config["return_wall"], config["w3"]
+        self.config, self.beta, self.two_way = {**config, "facade": facade}, beta_s, two_way
+        self.h, self.b = facade.height_m, facade.thickness_m
         self.course, self.v = w3["course_height_m"], w3["overlap_m"]
         self.length = w3["brick_length_m"]
-        self.t, self.density, self.w3 = wall["thickness_m"], facade["density_kg_m3"], w3
+        self.t, self.density, self.w3 = wall["thickness_m"], facade.density_kg_m3, w3
         check(config, two_way)
         self.courses = round(self.h / self.course)
         self.split_inclination = math.radians(w3["split_inclination_deg"])
@@ -115,8 +117,8 @@ class _Assembly:
         # in a half model everything is halved: weight and stiffness, hence no number changes
         self.walls = 1 if w3["half_model"] else wall["count"]
         self.share = self.walls / wall["count"]
-        self.width = facade["width_m"] * self.share
-        spread = 0.5 * (facade["width_m"] - self.t)
+        self.width = facade.width_m * self.share
+        spread = 0.5 * (facade.width_m - self.t)
         self.x = [0.0] if self.walls == 1 else np.linspace(-spread, spread, self.walls).tolist()
         self.blocks, self.nodes, self.rims, self.motions = [], NodeList(NO_DRAG), {}, {}
         self.beds, self.bricks, self.headers, self.partial = [], [], [], []
@@ -159,11 +161,10 @@ class _Assembly:
 
     def _facade(self):
         """Ground, façade and the base joint between them."""
-        section = {**self.config["facade"], "width_m": self.width}
-        ground = ground_block(section, None if self.two_way else GROUND)
-        self.blocks += [ground, plain_block(section, "yzX")]
-        own = {**self.config, "facade": section}
-        Beds(own, self.beta, self.nodes, planar=True).base(1, 0)
+        own = replace(self.config["facade"], width_m=self.width)
+        ground = ground_block(own, None if self.two_way else GROUND)
+        self.blocks += [ground, plain_block(own, "yzX")]
+        Beds({**self.config, "facade": own}, self.beta, self.nodes, planar=True).base(1, 0)
 
     def _wall(self, wall, x):
         """One return wall: bricks, headers, and their joints from the bottom up."""

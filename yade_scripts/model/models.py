@@ -3,9 +3,10 @@
 import math
 
 from yade_scripts.model import facade, interlocking, registry
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.scene import from_dict, observed_at
-from yade_scripts.model.shape import is_plain, shape_of
+from yade_scripts.model.shape import shape_of
 
 
 def build_scene(case):
@@ -56,21 +57,21 @@ def static_multiplier(case):
     W3: λ0 of the kinematic curve, b/h + N_w Σ F_i y_i/(W h/2) with
     F_i = μ γ t_s v h_b i at y_i = h − i·h_b above the hinge.
     """
-    section, wall = case["facade"], case["return_wall"]
-    h, b = section["height_m"], section["thickness_m"]
+    own, wall = Facade.of(case["facade"]), case["return_wall"]
+    h, b = own.height_m, own.thickness_m
     kind = registry.model(case["model"])
     if kind.walls == "one" and kind.bonded:
-        weight = section["density_kg_m3"] * GRAVITY_M_S2 * h * b * section["width_m"]
+        weight = own.density_kg_m3 * GRAVITY_M_S2 * h * b * own.width_m
         bond = wall["count"] * wall["tension_mpa"] * 1e6 * wall["thickness_m"] * h**2 / 3.0
-        if not is_plain(section):
-            own = shape_of(section)
-            return (own.lever_m[0] + bond / (own.mass_kg * GRAVITY_M_S2)) / own.lever_m[1]
+        if not own.is_plain:
+            shape = shape_of(own)
+            return (shape.lever_m[0] + bond / (shape.mass_kg * GRAVITY_M_S2)) / shape.lever_m[1]
         return b / h + bond / (0.5 * weight * h)
     if kind.walls != "bricks":
-        return b / h if is_plain(section) else shape_of(section).static_multiplier
+        return b / h if own.is_plain else shape_of(own).static_multiplier
     w3 = case["w3"]
     course = w3["course_height_m"]
     arms = sum(i * (h - i * course) for i in range(1, round(h / course)))
     friction = math.tan(math.radians(w3["friction_deg"])) * wall["thickness_m"]
     moment = wall["count"] * friction * w3["overlap_m"] * course * arms
-    return b / h + moment / (h * b * section["width_m"] * 0.5 * h)
+    return b / h + moment / (h * b * own.width_m * 0.5 * h)

@@ -17,7 +17,7 @@ from dataclasses import replace
 from yade_scripts.model.base import base_jkn
 from yade_scripts.model.chain import chain_links
 from yade_scripts.model.scene import Block, box_inertia, held
-from yade_scripts.model.wall_motion import building_height, storey_of, weight_of
+from yade_scripts.model.wall_motion import storey_of, weight_of
 
 OUT = (0.0, -1.0, 0.0)
 TIE_N_M, TIE_BETA_S = 1e9, 2e-5  # some eight times a brick's front joint
@@ -36,8 +36,8 @@ def building_mass(config):
 def mass_heights(config):
     """Heights of the chain's masses above the façade's base, from the lowest up [m]."""
     n, facade = config["smdof"]["n_dof"], config["facade"]
-    tall = building_height(facade) / n
-    return [j * tall - facade.get("base_height_m", 0.0) for j in range(1, n + 1)]
+    tall = facade.building_top_m / n
+    return [j * tall - facade.base_height_m for j in range(1, n + 1)]
 
 
 def base_block(config, ground):
@@ -59,12 +59,12 @@ def hang_base(config, blocks, nodes, base, masses):
     as high as a mass it is tied to that. The chain's masses are blocks too, from the lowest up.
     """
     facade, n = config["facade"], config["smdof"]["n_dof"]
-    whole, raised = building_height(facade), facade["base_height_m"]
+    whole, raised = facade.building_top_m, facade.base_height_m
     storey = storey_of(raised / whole, n)
     weight = weight_of("interpolated", raised / whole, n)
     lower, upper = (masses[storey - 1] if storey else 0), masses[storey]
-    k = BASE_TIE * base_jkn(facade) * facade["thickness_m"] * facade["width_m"]
-    middle = 0.5 * facade["thickness_m"]
+    k = BASE_TIE * base_jkn(facade) * facade.thickness_m * facade.width_m
+    middle = 0.5 * facade.thickness_m
 
     def join(name, a, b, z):
         # on the panel's axis: it turns without lifting the node
@@ -82,7 +82,7 @@ def hang_base(config, blocks, nodes, base, masses):
         return
     tall = whole / n
     low = storey * tall - raised
-    size = (facade["width_m"], facade["thickness_m"], tall)
+    size = (facade.width_m, facade.thickness_m, tall)
     inertia = (0.25 * light * tall**2, *box_inertia(light, size)[1:])
     centre = (0.0, middle, low + 0.5 * tall)
     blocks.append(Block("base panel", centre, size, light, inertia, free="yX"))
@@ -104,8 +104,8 @@ class Hanging:
         """Add masses, panels and slabs; what hangs on them comes after."""
         wall, self.nodes, self.blocks = config["return_wall"], nodes, blocks
         self.config, self.walls, self.length = config, walls, length_m
-        self.h, self.n = building_height(config["facade"]), config["smdof"]["n_dof"]
-        self.raised = config["facade"].get("base_height_m", 0.0)
+        self.h, self.n = config["facade"].building_top_m, config["smdof"]["n_dof"]
+        self.raised = config["facade"].base_height_m
         self.total = building_mass(config) * walls / wall["count"]
         tall = self.h / self.n
         self.heights = mass_heights(config)
@@ -117,7 +117,7 @@ class Hanging:
         if wall["motion"] == "top":
             return
         size = (wall["thickness_m"], length_m, tall)
-        mass = walls * config["facade"]["density_kg_m3"] * size[0] * size[1] * size[2]
+        mass = walls * config["facade"].density_kg_m3 * size[0] * size[1] * size[2]
         for j, head in enumerate(self.masses):
             foot, low = (self.masses[j - 1] if j else 0), j * tall - self.raised
             place = (0.0, -length_m, (j + 0.5) * tall - self.raised)

@@ -64,14 +64,14 @@ def at_rest(facade, shape, kn_n_m, points, release_ratio, walls_stand):
     `release_ratio` θ₀/α of 0 it leans as its eccentric weight asks for, unless return walls hold
     it.
     """
-    b = facade["thickness_m"]
-    weight, lever = loaded(facade.get("floors", ()), shape)
+    b = facade.thickness_m
+    weight, lever = loaded(facade.floors, shape)
     angle = release_ratio * math.atan2(*shape.lever_m)
     if not (release_ratio or shape.hinges_m):
         angle = lean(weight, lever, kn_n_m, points, b, walls_stand)
     # lift of each base node in the pose turned about the toe; debris lies under a tilted base
     lift = (1.0 - points) * b * math.sin(angle)
-    tilt = math.radians(facade["tilt_deg"])
+    tilt = math.radians(facade.tilt_deg)
     return initial_pose(shape.lever_m, tilt + angle, settlement(weight, kn_n_m, lift))
 
 

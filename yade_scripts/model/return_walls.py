@@ -11,10 +11,11 @@ import math
 import numpy as np
 
 from yade_scripts.model.chain import chain_links
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.panels import Hanging, building_mass, mass_heights
 from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
 from yade_scripts.model.scene import Block, held
-from yade_scripts.model.wall_motion import PARTS, building_height, motion_of
+from yade_scripts.model.wall_motion import PARTS, motion_of
 
 WALL = "return wall"
 PIECE_M = 0.25  # depth of wall that moves with the contact, where the masses are elsewhere
@@ -25,9 +26,9 @@ def back_jkn(config):
 
     Unless stated L = h/2, the mean length of the 45° triangle behind the crack.
     """
-    facade = config["facade"]
-    length = config["return_wall"]["length_m"] or 0.5 * facade["height_m"]
-    return facade["e_mpa"] * 1e6 / length
+    facade = Facade.of(config["facade"])
+    length = config["return_wall"]["length_m"] or 0.5 * facade.height_m
+    return facade.e_mpa * 1e6 / length
 
 
 def back_strength(wall, bonded):
@@ -55,8 +56,7 @@ def _middles(strips):
 
 def _spans(count, facade, chain):
     """Number, foot and height of each block behind the façade, from the façade's base [m]."""
-    raised, height = facade.get("base_height_m", 0.0), facade["height_m"]
-    whole = building_height(facade)
+    raised, height, whole = facade.base_height_m, facade.height_m, facade.building_top_m
     for number in range(1, count + 1):
         low, tall = (number - 1) * whole / count, whole / count
         if not chain:
@@ -98,8 +98,7 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
     from the lowest up; the last two empty where the chain is no part of the scene.
     """
     facade, wall = config["facade"], config["return_wall"]
-    h, raised = facade["height_m"], facade.get("base_height_m", 0.0)
-    whole = building_height(facade)
+    h, raised, whole = facade.height_m, facade.base_height_m, facade.building_top_m
     total = wall["count"] * wall["thickness_m"]
     masses = config["smdof"]["n_dof"] if kind.chain else 1
     parts = PARTS if kind.chain and wall["motion"] == "interpolated" else 1
@@ -108,10 +107,10 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
     nodes_up = 1 + math.ceil((cut - 1) / parts), cut
     apart = kind.two_way and wall["motion"] != "top"  # else each block is a mass of the chain
     hanging = Hanging(config, blocks, nodes, wall["count"], PIECE_M) if apart else None
-    jkn, strips = back_jkn(config), wall_strips(facade["width_m"], wall)
+    jkn, strips = back_jkn(config), wall_strips(facade.width_m, wall)
     mass = 1.0
     if hanging:
-        mass = facade["density_kg_m3"] * total * PIECE_M * whole / count
+        mass = facade.density_kg_m3 * total * PIECE_M * whole / count
     elif kind.two_way:
         mass = building_mass(config) / count
     walls: dict[int, int] = {}  # blocks by number
@@ -124,7 +123,7 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
         blocks.append(
             Block(
                 f"{WALL} {number}",
-                (0.0, -0.5 * h - facade["gap_m"], middle),
+                (0.0, -0.5 * h - facade.gap_m, middle),
                 (total, h, tall),
                 mass * (tall / (whole / count) if hanging else 1.0),
                 (1.0, 1.0, 1.0),
@@ -144,9 +143,9 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
                 (0, 1, 0),
                 areas,
                 jkn,
-                facade["shear_stiffness_ratio"] * jkn,
+                facade.shear_stiffness_ratio * jkn,
                 beta_s=beta_s,
-                gap_m=facade["gap_m"],
+                gap_m=facade.gap_m,
                 **back_strength(wall, kind.bonded),
             )
     behind = list(walls.values())

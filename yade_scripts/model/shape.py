@@ -17,18 +17,18 @@ meet on the thickness that both have there, and on the width that no opening tak
 """
 
 import bisect
+import functools
 import itertools
 from dataclasses import dataclass
 
 import numpy as np
 
 from yade_scripts.model.base import course_tops
+from yade_scripts.model.facades import TRIANGLE, Facade
 from yade_scripts.model.intervals import without
 from yade_scripts.model.scene import box_inertia
 
 SLIVER_M = 1e-9
-OWN_KEYS = ("thickness_steps", "openings", "gable_height_m", "parapet_height_m")
-TRIANGLE = "triangle"  # outline of a gable by itself
 
 
 @dataclass(frozen=True)
@@ -152,52 +152,29 @@ class Shape:
         return found
 
 
-def is_plain(facade):
-    """Whether a section facade describes a homogeneous box from ground to top of its building."""
-    own = any(facade.get(key) for key in OWN_KEYS) or facade.get("outline") == TRIANGLE
-    whole = facade.get("building_height_m") or facade["height_m"]
-    return not (own or facade.get("base_height_m") or whole != facade["height_m"])
-
-
-def refuse(facade, what, held=False):
-    """Raise a ValueError of one line if the façade is no plain box on the ground, in one piece.
-
-    With `held` also if ties, floors or a bond hold it.
-    """
-    keys = [*OWN_KEYS, "base_height_m", "building_height_m", "hinges_m", "courses"]
-    if held:
-        keys += ["ties", "floors", "bond_tension_mpa", "bond_cohesion_mpa"]
-    given = [key for key in keys if facade.get(key)]
-    given += ["outline"] if facade.get("outline") == TRIANGLE else []
-    if given:
-        raise ValueError(
-            f"facade.{given[0]}: {what} knows a plain façade on the ground alone; expected none"
-        )
-
-
-def refuse_bonds(facade, what):
-    """Raise a ValueError of one line if a façade's own joints are bonded."""
-    for key in ("bond_tension_mpa", "bond_cohesion_mpa"):
-        if facade.get(key):
-            raise ValueError(
-                f"facade.{key} = {facade[key]:g}: {what} knows dry joints alone; expected 0 (MPa)"
-            )
-
-
 def shape_of(facade):
-    """`Shape` of a section facade of the configuration.
+    """`Shape` of a façade, or of its section of the configuration.
 
     ValueError of one line with key, value and what was expected, if parts lie outside each other's
     bounds, openings overlap, or the weight falls outside the base.
     """
-    h, b, width = facade["height_m"], facade["thickness_m"], facade["width_m"]
-    density = facade["density_kg_m3"]
-    gable, parapet = facade.get("gable_height_m", 0.0), facade.get("parapet_height_m", 0.0)
+    return _shape(Facade.of(facade))
+
+
+@functools.lru_cache(maxsize=256)
+def _shape(facade):
+    h, b, width, density = (
+        facade.height_m,
+        facade.thickness_m,
+        facade.width_m,
+        facade.density_kg_m3,
+    )
+    gable, parapet = facade.gable_height_m, facade.parapet_height_m
     if gable and parapet:
         raise ValueError(f"facade.parapet_height_m = {parapet:g}: expected 0 (m) with a gable")
     storeys = _storeys(facade)
     openings = _openings(facade)
-    alone = facade.get("outline") == TRIANGLE
+    alone = facade.outline == TRIANGLE
     boxes = () if alone else storeys
     parts = [_box(density, (-0.5 * width, 0.5 * width), s[2:], s[:2]) for s in boxes]
     for x0, x1, z0, z1 in openings:
@@ -267,28 +244,28 @@ def _box(density, x, y, z):
 
 def _hinges(facade):
     """Heights of the joints between rigid pieces: as stated, or between courses [m]."""
-    if facade.get("courses"):
+    if facade.courses:
         return tuple(course_tops(facade)[:-1])
-    return tuple(facade.get("hinges_m", ()))
+    return facade.hinges_m
 
 
 def _storeys(facade):
     """(z0, z1, y0, y1) of the storeys of thickness, the parapet last."""
-    h, b = facade["height_m"], facade["thickness_m"]
-    steps, last = facade.get("thickness_steps", ()), 0.0
+    h, b = facade.height_m, facade.thickness_m
+    steps, last = facade.thickness_steps, 0.0
     for number, row in enumerate(steps, 1):
-        if not last < row["z_m"] < h:
+        if not last < row.z_m < h:
             raise ValueError(
-                f"facade.thickness_steps[{number}].z_m = {row['z_m']:g}: expected ascending "
+                f"facade.thickness_steps[{number}].z_m = {row.z_m:g}: expected ascending "
                 f"heights above 0 and below facade.height_m = {h:g} (m)"
             )
-        last = row["z_m"]
-    feet = sorted({0.0, *_hinges(facade), *(row["z_m"] for row in steps)})
+        last = row.z_m
+    feet = sorted({0.0, *_hinges(facade), *(row.z_m for row in steps)})
     edges, thick = [*feet, h], [_thickness(b, steps, z) for z in feet]
-    if parapet := facade.get("parapet_height_m", 0.0):
+    if parapet := facade.parapet_height_m:
         edges.append(h + parapet)
-        thick.append(facade.get("parapet_thickness_m") or thick[-1])
-    outer = facade.get("flush_face", "outer") == "outer"
+        thick.append(facade.parapet_thickness_m or thick[-1])
+    outer = facade.flush_face == "outer"
     back = [b - t if outer else 0.0 for t in thick]
     rows = zip(edges, edges[1:], back, thick, strict=False)
     return tuple((z0, z1, y, y + t) for z0, z1, y, t in rows)
@@ -296,16 +273,16 @@ def _storeys(facade):
 
 def _thickness(b, steps, height_m):
     """Thickness from a height up."""
-    return [b, *(row["thickness_m"] for row in steps if row["z_m"] <= height_m)][-1]
+    return [b, *(row.thickness_m for row in steps if row.z_m <= height_m)][-1]
 
 
 def _openings(facade):
     """(x0, x1, z0, z1) of the openings, inside the façade and apart from each other."""
-    h, width = facade["height_m"], facade["width_m"]
+    h, width = facade.height_m, facade.width_m
     found: list[tuple] = []
-    for number, row in enumerate(facade.get("openings", ()), 1):
+    for number, row in enumerate(facade.openings, 1):
         where = f"facade.openings[{number}]"
-        x, z, wide, tall = (row[key] for key in ("x_m", "z_m", "width_m", "height_m"))
+        x, z, wide, tall = row.x_m, row.z_m, row.width_m, row.height_m
         if abs(x) + 0.5 * wide > 0.5 * width + 1e-9:
             raise ValueError(
                 f"{where}.x_m = {x:g}: expected its {wide:g} m within half of facade.width_m on "

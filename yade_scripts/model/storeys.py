@@ -18,8 +18,8 @@ import numpy as np
 
 from yade_scripts.model.bars import Floor
 from yade_scripts.model.chain import chain_matrices, yields
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
-from yade_scripts.model.wall_motion import building_height
 
 LAWS = ("bilinear", "peak_oriented", "origin_oriented", "flag")
 BILINEAR, PEAK_ORIENTED, ORIGIN_ORIENTED, FLAG = range(4)
@@ -47,7 +47,7 @@ NO_STOREYS = Storeys(0, np.zeros(0), np.zeros(0), 0.0, 0.0, 1.0, NEVER_M, 0.0, 1
 
 def storey_height(case):
     """Height of a storey of the chain, from one mass to the next [m]."""
-    return building_height(case["facade"]) / case["smdof"]["n_dof"]
+    return Facade.of(case["facade"]).building_top_m / case["smdof"]["n_dof"]
 
 
 def storeys_of(case, mass_kg=1.0):

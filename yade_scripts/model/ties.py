@@ -25,14 +25,14 @@ FAR_M = 1e3  # length of an anchor's tie: as its point lifts by 0.1 m it lengthe
 def facade_ties(rows, walls, blocks, shape):
     """Ties between the façade and its return walls, by indices of their blocks.
 
-    `rows` are section facade.ties; block 1 and those after it are the façade's, as `shape` numbers
+    `rows` are `Facade.ties`; block 1 and those after it are the façade's, as `shape` numbers
     its pieces. ValueError of one line, if a tie lies above the façade or meets no return wall.
     """
     ties = []
     for number, row in enumerate(rows, 1):
-        z = row["height_m"]
+        z = row.height_m
         behind = wall_behind(f"ties[{number}].height_m", z, walls, blocks)
-        far = (0.0, -row["length_m"], z)
+        far = (0.0, -row.length_m, z)
         ties.append(_tie(f"tie {number}", shape, behind, (0.0, 0.0, z), far, of_tie(row)))
     return ties
 
@@ -45,9 +45,9 @@ def anchor_ties(rows, walls, blocks, shape):
     ties = []
     for number, row in enumerate(rows, 1):
         anchors = [hold for hold in of_floor(row) if hold.kind == ANCHOR]
-        if row["mass_t"] or not anchors:
+        if row.mass_t or not anchors:
             continue
-        carrier = wall_behind(f"floors[{number}].height_m", row["height_m"], walls, blocks)
+        carrier = wall_behind(f"floors[{number}].height_m", row.height_m, walls, blocks)
         x, y, z = place_of(row, shape)
         sides = ((f"anchor {number}", -FAR_M), (f"anchor {number} inward", FAR_M))
         for name, way in sides[: 1 if walls else 2]:

@@ -27,12 +27,6 @@ def storey_of(height_ratio, n):
     return min(int(height_ratio * n), n - 1)
 
 
-def building_height(facade):
-    """Height of the building whose masses move the walls behind a façade [m]."""
-    whole = facade.get("base_height_m", 0.0) + facade["height_m"]
-    return facade.get("building_height_m") or whole
-
-
 def weight_of(rule, height_ratio, n):
     """Weight of the mass above, in `storey_of`; the mass below has the rest.
 

@@ -14,7 +14,7 @@ import signal
 import subprocess
 import time
 
-from .workspace import PARTS, RESULTS, ROOT, STUDY, wait_until
+from .workspace import LOCKS, PARTS, RESULTS, ROOT, STUDY, wait_until
 
 PATIENCE_S = 900.0  # longest wait for a disturbed run
 
@@ -277,7 +277,7 @@ def interrupted_install(space, rng, seconds):
     shutil.rmtree(folder, ignore_errors=True)
     (folder / "tools").mkdir(parents=True)
     shutil.copy2(ROOT / "tools" / "setup.sh", folder / "tools")
-    for name in ("requirements.lock", "requirements-all.lock", "pyproject.toml", "setup.py", "README.md"):
+    for name in (*LOCKS, "pyproject.toml", "setup.py", "README.md"):
         shutil.copy2(ROOT / name, folder)
     for part in PARTS:  # with what was compiled: to compile is not what is tried here
         shutil.copytree(ROOT / part, folder / part)
@@ -295,7 +295,7 @@ def interrupted_install(space, rng, seconds):
     subprocess.run([python, "-c", imports], check=True)
     subprocess.run([python, "-m", "pip", "check", "-q"], check=True, stdout=subprocess.DEVNULL)
     found = _packages(python)
-    always, sometimes = _locked(folder / "requirements-all.lock")
+    always, sometimes = _locked(folder / LOCKS[1])
     assert always <= found, f"packages missing: {always - found}"
     assert found <= always | sometimes, f"packages not locked: {found - always - sometimes}"
     shutil.rmtree(folder)

@@ -1,10 +1,13 @@
 """Loads and shapes that few façades have, against sums and integrals by hand."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from rocking.configuration import config
 
 from yade_scripts.model import models, part
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.floors import lever_of
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.scene import Block
@@ -30,7 +33,9 @@ def section(**own):
 def test_a_load_bears_on_the_middle_if_nothing_is_said_and_a_level_one_on_the_outer_edge(
     row, arm_m
 ):
-    assert lever_of(row, 0.5) == arm_m
+    floor = {"height_m": 6.0, "load_kn": 10.0, **row}
+    (given,) = Facade.of(section(floors=[floor])).floors
+    assert lever_of(given, 0.5) == arm_m
 
 
 def test_the_back_face_after_a_setback_is_that_of_the_storey_above():
@@ -119,7 +124,7 @@ def test_anchors_of_a_floor_with_a_mass_are_no_ties_of_their_own():
     To the base each has a second tie, to the other side.
     """
     floor = {"height_m": 3.0, "load_kn": 10.0, "anchor_kn": 5.0, "arm_m": 0.1}
-    (row,) = section(floors=[floor])["floors"]
+    (row,) = Facade.of(section(floors=[floor])).floors
     shape = shape_of(section())
     wall = Block("wall", (0.0, -1.0, 3.0), (1.0, 2.0, 6.0), 1.0, (1.0,) * 3)
     base = Block("base", (0.0, 0.0, -0.5), (1.0, 1.0, 1.0), 1.0, (1.0,) * 3)
@@ -128,5 +133,5 @@ def test_anchors_of_a_floor_with_a_mass_are_no_ties_of_their_own():
     assert names == ["anchor 1"]
     names = [tie.name for tie in anchor_ties([row], [], blocks, shape)]
     assert names == ["anchor 1", "anchor 1 inward"]
-    assert anchor_ties([{**row, "mass_t": 5.0}], [2], blocks, shape) == []
-    assert anchor_ties([{**row, "anchor_kn": 0.0}], [2], blocks, shape) == []
+    assert anchor_ties([replace(row, mass_t=5.0)], [2], blocks, shape) == []
+    assert anchor_ties([replace(row, anchor_kn=0.0)], [2], blocks, shape) == []

@@ -26,6 +26,7 @@ from rocking.records.reader import nearest
 from rocking.shipped import found
 from yade_scripts.files import read_json
 from yade_scripts.model import registry
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.part import part_of
 
 FIDELITY_FILE = LAW_FILE.with_name("fidelity.yaml")
@@ -212,9 +213,9 @@ class Case:
             raise KeyError(f"the case has no {key!r}; it has {known}") from None
 
     @property
-    def scene(self) -> Mapping[str, Any]:
-        """Return `sections` by its name of one version ago."""
-        return self.sections
+    def facade(self) -> Facade:
+        """The façade as values: shape, holds and loads follow from it."""
+        return Facade.of(self.sections["facade"])
 
     @property
     def model(self) -> str:

@@ -20,6 +20,7 @@ from rocking.configuration.schema import ConfigError, show
 from yade_scripts.model import registry
 from yade_scripts.model.base import parts
 from yade_scripts.model.facade import joint_stiffness
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.floors import loaded
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.hinges import hinge_stiffness
@@ -83,11 +84,12 @@ def restoring(config: Mapping) -> float:
     positive where it cannot stand. Where the base pushes is said in
     `closed_forms.capacity_compliant_base`.
     """
-    facade, shape = config["facade"], shape_of(config["facade"])
-    b, width = facade["thickness_m"], facade["width_m"] - shape.base_lost_m
-    weight, (arm, height) = loaded(facade["floors"], shape)
+    facade = Facade.of(config["facade"])
+    shape = shape_of(facade)
+    b, width = facade.thickness_m, facade.width_m - shape.base_lost_m
+    weight, (arm, height) = loaded(facade.floors, shape)
     angle = math.atan2(arm, height) * ANGLES
-    sin, cos, tilted = np.sin(angle), np.cos(angle), angle + math.radians(facade["tilt_deg"])
+    sin, cos, tilted = np.sin(angle), np.cos(angle), angle + math.radians(facade.tilt_deg)
     jkn, edge = parts(facade)
     q, edge = weight / (jkn * width), edge / jkn
     whole = 0.5 * b - (b**3 / 12.0 + 0.5 * edge * b**2) * sin / q
@@ -107,7 +109,8 @@ def _pieces_stand(config):
     With θ_j the rotation of piece j, L_j its height and u(z) the displacement at z,
     2V = Σ jkn_j b³w/12 (θ_j − θ_(j−1))² + Σ k u(z)² − Σ P ∫₀ᶻ θ² dz over all weights P.
     """
-    facade, shape = config["facade"], shape_of(config["facade"])
+    facade = Facade.of(config["facade"])
+    shape = shape_of(facade)
     edges = np.array([0.0, *shape.hinges_m, shape.top_m])
     jkn = np.array([joint_stiffness(config)[0], *hinge_stiffness(facade, shape)])
     joints = [(0.0, shape.thickness_m, shape.base_lost_m)]
@@ -125,7 +128,7 @@ def _pieces_stand(config):
             z = hold.height_m
             matrix += hold.stiffness_n_m * np.outer(lengths(z), lengths(z))
     loads = [(mass * GRAVITY_M_S2, centre[2]) for mass, centre, _, _ in shape.pieces]
-    loads += [(1e3 * row["load_kn"], row["height_m"]) for row in facade["floors"]]
+    loads += [(row.load_n, row.height_m) for row in facade.floors]
     for load, z in loads:
         matrix -= load * np.diag(lengths(z))
     return bool(np.linalg.eigvalsh(matrix)[0] > 0.0)

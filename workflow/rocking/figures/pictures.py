@@ -5,7 +5,8 @@ from matplotlib.collections import PolyCollection
 from matplotlib.patches import Polygon
 
 from yade_scripts.model.facade import FACADE
-from yade_scripts.model.shape import is_plain, shape_of
+from yade_scripts.model.facades import Facade
+from yade_scripts.model.shape import shape_of
 
 DEPTH = np.array([0.42, 0.22])  # screen displacement per metre of x, into the page
 RETURN_WALL_SHOWN_M = 2.2  # of the return-wall supports, which are longer than needed
@@ -26,8 +27,8 @@ def boxes(frames, walls, config):
     Single-block models have one support for all return walls together, drawn at each
     wall's place; W3's half model is drawn twice, at both.
     """
-    facade, wall = config["facade"], config["return_wall"]
-    spread = 0.5 * (facade["width_m"] - wall["thickness_m"])
+    facade, wall = Facade.of(config["facade"]), config["return_wall"]
+    spread = 0.5 * (facade.width_m - wall["thickness_m"])
     places = np.linspace(-spread, spread, walls) if walls > 1 else np.array([0.0])
     out = []
     for i, block in enumerate(frames["blocks"]):
@@ -35,14 +36,14 @@ def boxes(frames, walls, config):
         name = block["name"]
         if name == "base":
             continue
-        if name == "façade" and not is_plain(facade):  # its storeys; openings, gable are left out
+        if name == "façade" and not facade.is_plain:  # its storeys; openings, gable are left out
             for z0, z1, y0, y1 in shape_of(facade).storeys:
                 middle = np.array([0.0, 0.5 * (y0 + y1), 0.5 * (z0 + z1)])
-                out.append((middle, np.array([facade["width_m"], y1 - y0, z1 - z0]), i))
+                out.append((middle, np.array([facade.width_m, y1 - y0, z1 - z0]), i))
         elif name == "façade":
-            out.append((centre, np.array([facade["width_m"], size[1], size[2]]), i))
+            out.append((centre, np.array([facade.width_m, size[1], size[2]]), i))
         elif name.startswith("return wall"):
-            y = -facade["gap_m"] - 0.5 * RETURN_WALL_SHOWN_M
+            y = -facade.gap_m - 0.5 * RETURN_WALL_SHOWN_M
             shown = np.array([wall["thickness_m"], RETURN_WALL_SHOWN_M, size[2]])
             out += [(np.array([x, y, centre[2]]), shown, i) for x in places]
         else:

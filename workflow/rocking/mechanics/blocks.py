@@ -6,6 +6,7 @@ y is outward, z upward.
 
 import cmath
 import math
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -20,8 +21,8 @@ from rocking.mechanics.mechanism import (
     spread_weight,
     turning,
 )
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.floors import lever_of
-from yade_scripts.model.shape import refuse
 
 
 class Held(NamedTuple):
@@ -38,7 +39,7 @@ class Held(NamedTuple):
     slack_m: float = 0.0
 
 
-class Facade(NamedTuple):
+class PlainFacade(NamedTuple):
     """A plain façade as its mechanisms see it; lengths in m, forces in N, on the whole width."""
 
     height_m: float
@@ -241,15 +242,16 @@ def weakest_hinge(section):
 
     The floors of section facade stand at its top.
     """
-    loads = [1e3 * row["load_kn"] for row in section["floors"]]
-    refuse({**section, "hinges_m": (), "courses": 0}, "the weakest hinge")
-    h, b = section["height_m"], section["thickness_m"]
-    arms = [lever_of(row, b) for row in section["floors"]]
+    facade = replace(Facade.of(section), hinges_m=(), courses=0)
+    facade.refuse("the weakest hinge")
+    h, b = facade.height_m, facade.thickness_m
+    loads = [row.load_n for row in facade.floors]
+    arms = [lever_of(row, b) for row in facade.floors]
     total = sum(loads)
     arm = sum(p * s for p, s in zip(loads, arms, strict=True)) / total if total else 0.0
-    weight = section["density_kg_m3"] * GRAVITY_M_S2 * h * b * section["width_m"]
-    facade = Facade(h, b, weight, 0.0, total, arm)
+    weight = facade.density_kg_m3 * GRAVITY_M_S2 * h * b * facade.width_m
+    plain = PlainFacade(h, b, weight, 0.0, total, arm)
     found = minimize_scalar(
-        lambda z: two_blocks(facade, z).multiplier(), bounds=(0.02 * h, 0.98 * h), method="bounded"
+        lambda z: two_blocks(plain, z).multiplier(), bounds=(0.02 * h, 0.98 * h), method="bounded"
     )
     return float(found.x)

@@ -11,10 +11,10 @@ import numpy as np
 from rocking.reference import SupportTable, Wall, simulate_batch
 from rocking.reference.stack import StackSolver
 from yade_scripts.model import base, floor_motions, registry, yielding
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.models import build_scene
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.registry import REFERENCE_MODELS
-from yade_scripts.model.shape import refuse, refuse_bonds
 
 WHAT = "the reference solver of one block"
 
@@ -25,7 +25,7 @@ def one_block(case):
     if kind.two_way:
         return False
     try:
-        refuse(case["facade"], WHAT, held=True)
+        Facade.of(case["facade"]).refuse(WHAT, held=True)
     except ValueError:
         return False
     return True
@@ -37,7 +37,7 @@ def refuse_unknown(case):
     if kind.walls not in ("none", "one", "floors") or kind.bonded:
         known = ", ".join(("free", *REFERENCE_MODELS))
         raise ValueError(f"the reference solver has no model {kind.name}: expected one of {known}")
-    refuse_bonds(case["facade"], "the reference solver")
+    Facade.of(case["facade"]).refuse_bonds("the reference solver")
 
 
 def wall_of(case, nodes):
@@ -46,33 +46,34 @@ def wall_of(case, nodes):
     A ValueError of one line for what is a stack's, or no reference solver's at all.
     """
     refuse_unknown(case)
-    facade, wall, kind = case["facade"], case["return_wall"], registry.model(case["model"])
+    facade, wall = Facade.of(case["facade"]), case["return_wall"]
+    kind = registry.model(case["model"])
     if kind.two_way:
         raise ValueError(
             f"the reference solver has no model {kind.name} in its form of one block: expected "
             "walls that cannot be pushed"
         )
-    refuse(facade, WHAT, held=True)
-    e_pa = facade["e_mpa"] * 1e6
+    facade.refuse(WHAT, held=True)
+    e_pa = facade.e_mpa * 1e6
     jkn, edge_pa = base.parts(facade)
     return Wall(
-        facade["height_m"],
-        facade["thickness_m"],
-        facade["width_m"],
-        facade["density_kg_m3"],
+        facade.height_m,
+        facade.thickness_m,
+        facade.width_m,
+        facade.density_kg_m3,
         e_pa,
         case["beta_s"],
         0.0 if kind.walls == "none" else wall["count"] * wall["thickness_m"],
         base_jkn_pa_m=jkn,
         base_edge_pa=edge_pa,
         back_jkn_pa_m=e_pa / wall["length_m"] if wall["length_m"] else None,
-        shear_ratio=facade["shear_stiffness_ratio"],
-        base_friction_deg=facade["friction_deg"],
+        shear_ratio=facade.shear_stiffness_ratio,
+        base_friction_deg=facade.friction_deg,
         back_friction_deg=wall["friction_deg"],
         nodes_base=nodes,
         nodes_up=nodes,
         segments=case["smdof"]["n_dof"] if kind.chain else 1,
-        gap_m=facade["gap_m"],
+        gap_m=facade.gap_m,
     )
 
 

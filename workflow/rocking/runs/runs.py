@@ -10,8 +10,8 @@ from rocking.records import read_table, surrogates_for
 from rocking.runs.shared import Shared
 from rocking.stations import unnamed
 from yade_scripts.model import storeys
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.registry import MODELS, PUSHED
-from yade_scripts.model.shape import is_plain, refuse, refuse_bonds
 
 
 class CurveKey(NamedTuple):
@@ -110,17 +110,21 @@ class Runs:
         except configuration.ConfigError as error:
             raise SystemExit(f"error: {error.detail}") from None
 
+    def facade(self, run) -> Facade:
+        """Façade of a run."""
+        return Facade.of(self.settings[run]["facade"])
+
     def needs_plain(self, run, what, held=False):
-        """End the workflow in one line where `shape.refuse` would end a job of it."""
+        """End the workflow in one line where `Facade.refuse` would end a job of it."""
         try:
-            refuse(self.settings[run]["facade"], what, held)
+            self.facade(run).refuse(what, held)
         except ValueError as error:
             raise SystemExit(f"error: {error}") from None
 
     def needs_dry(self, run):
         """End the workflow in one line where the reference solver would end a job of it."""
         try:
-            refuse_bonds(self.settings[run]["facade"], "the reference solver")
+            self.facade(run).refuse_bonds("the reference solver")
         except ValueError as error:
             raise SystemExit(f"error: {error}") from None
 
@@ -225,15 +229,13 @@ class Runs:
 
         None of a façade with a shape or hinges, whose pushover is not known.
         """
-        facade, models = self.settings[run]["facade"], self.settings[run]["models"]
-        known = not (facade["hinges_m"] or facade["courses"]) and is_plain(facade)
+        facade, models = self.facade(run), self.settings[run]["models"]
+        known = not (facade.hinges_m or facade.courses) and facade.is_plain
         return [name for name in PUSHED if known and name in models]
 
     def compiled(self, run) -> list[str]:
         """Models that the compiled planar solver stands in for."""
         return [model for model in self.settings[run]["models"] if MODELS[model].compiled]
-
-    planar = compiled  # its former name, for one version
 
     def known_runs(self, job):
         """Number of YADE's runs in a curve's job where its strategy fixes it, else None."""

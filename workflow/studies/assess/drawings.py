@@ -3,8 +3,8 @@
 import numpy as np
 from matplotlib.patches import Polygon, Rectangle
 
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.floors import place_of
-from yade_scripts.model.holds import rod
 
 SMALL = 6.5  # points, of numbers
 AROUND_MM, MARGIN_MM = 23.0, 22.0  # paper for numbers: on either side, above and below
@@ -85,8 +85,9 @@ def _elevation(axis, family, candidate, scale):
         axis.plot([-half, half], [z0, z0], color="0.4", lw=0.6, ls=":")
     for row in section["floors"]:
         axis.plot([-half, half], [row["height_m"]] * 2, color="0.2", lw=0.8, ls="--")
-    for row in section["ties"]:
-        z = row["height_m"]
+    facade = Facade.of(section)
+    for row in facade.ties:
+        z = row.height_m
         across = np.linspace(-0.8 * half, 0.8 * half, row["count"]) if row["count"] > 1 else [0.0]
         axis.plot(across, [z] * len(across), "x", color="0", ms=4.5, mew=1.3)
     if not candidate.plane:
@@ -147,16 +148,17 @@ def _section(axis, family, candidate, scale):
     edge = family._edge(candidate.foot_m, family.settings["hinge_inset_m"])
     axis.plot(edge, candidate.foot_m, "o", ms=3.5, color="0")
     held: dict[float, str] = {}
-    for row in section["ties"]:
-        z = row["height_m"]
+    facade = Facade.of(section)
+    for row in facade.ties:
+        z = row.height_m
         axis.plot([-depth, m.faces(z)[1]], [z, z], color="0", lw=1.3)
-        held[z] = f"{held.get(z, '')} tie {1e-3 * rod(row)[1]:.3g} kN"
-    for row in section["floors"]:
+        held[z] = f"{held.get(z, '')} tie {1e-3 * row.rod[1]:.3g} kN"
+    for row in facade.floors:
         z = place_of(row, m.shape)[2]
         middle = 0.5 * sum(m.faces(z, above=False))
         axis.plot([-depth, middle], [z, z], color="0.2", lw=0.9, ls="--")
-        anchor = f", anchors {row['anchor_kn']:g} kN" if row["anchor_kn"] else ""
-        held[z] = f"{held.get(z, '')} floor {row['load_kn']:g} kN{anchor}"
+        anchor = f", anchors {row.anchor_kn:g} kN" if row.anchor_kn else ""
+        held[z] = f"{held.get(z, '')} floor {row.load_kn:g} kN{anchor}"
     values = sorted(held)
     span = ground, max(top, ground + 3.0 * scale)
     for z, place in zip(values, spread(values, 3.2 * scale, *span), strict=True):

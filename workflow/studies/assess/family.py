@@ -31,6 +31,7 @@ from studies.assess import weakest
 from studies.assess.checks import initial_period
 from studies.assess.masonry import Masonry
 from studies.assess.sites import CORNERS, LEAST_PART_M, WHOLE_PART
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.holds import FRICTION, holds
 
@@ -128,8 +129,8 @@ class Family:
         load, arm = self.settings["roof_load_kn"], self.settings["roof_arm_m"]
         if load is None:
             shape = self.masonry.shape
-            rows = self.section["floors"]
-            return [(1e3 * row["load_kn"], *place_of(row, shape)[1:]) for row in rows]
+            rows = Facade.of(self.section).floors
+            return [(row.load_n, *place_of(row, shape)[1:]) for row in rows]
         back, front = self.masonry.faces(self.height_m, above=False)
         y = 0.5 * (back + front) if arm is None else back + arm
         return [(1e3 * load, y, self.height_m)] if load else []

@@ -21,9 +21,9 @@ from rocking.collapse.varied import collapses
 from rocking.mechanics import column
 from rocking.mechanics.closed_forms import capacity_compliant_base, capacity_rigid
 
-from yade_scripts.model import base
+from yade_scripts.model import base, facades
 
-BASES = (base.STUDY, base.COLUMN)
+BASES = (facades.STUDY, facades.COLUMN)
 FINE = 20  # equal courses of the stack whose static curve is drawn
 WALL = (8, 1.2)  # courses, growth: stands for the wall; within 1.1 % of its static peak
 CHOSEN = (4, 1.5)  # for a façade of one's own
@@ -59,8 +59,8 @@ HALF = f"{CHOICE}, half the step"
 
 def variants():
     """The stack that stands for the wall, the rigid block on either base, then other stacks."""
-    forms = [(STACK, base.STUDY, *WALL), *((name, name, 0, 1.0) for name in BASES)]
-    forms += [(stack_name(*stack), base.STUDY, *stack) for stack in STACKS]
+    forms = [(STACK, facades.STUDY, *WALL), *((name, name, 0, 1.0) for name in BASES)]
+    forms += [(stack_name(*stack), facades.STUDY, *stack) for stack in STACKS]
     keys = "facade.base", "facade.courses", "facade.courses_growth"
     return [
         Variant(name, dict(zip(keys, values, strict=True)), about={"facade": name})

@@ -4,14 +4,14 @@ import math
 
 import numpy as np
 import pytest
-from rocking.mechanics.blocks import Facade, courses, interlocking, overturning, two_blocks
+from rocking.mechanics.blocks import PlainFacade, courses, interlocking, overturning, two_blocks
 from rocking.mechanics.closed_forms import Interlocked, block
 from scipy.optimize import brentq
 from studies.assess import checks
 from studies.assess.demand import RecordDemand, TableDemand, floor_demand
 from studies.assess.family import pulls_of
 
-WALL = overturning(Facade(6.0, 0.6, 100e3))
+WALL = overturning(PlainFacade(6.0, 0.6, 100e3))
 SPECTRUM = TableDemand(np.array([0.0, 0.2, 0.5, 3.0]), np.array([0.2, 0.5, 0.5, 0.05]))
 FLAT = TableDemand(np.array([0.0, 0.1, 9.0]), np.array([0.2, 0.5, 0.5]))
 CHAIN = {"n_dof": 2, "period_s": 0.3, "damping_ratio": 0.05}
@@ -90,7 +90,7 @@ def test_an_inset_takes_capacity_and_displacement():
     d* = 0.4·0.4983·2/3·(how the mass moves) stays 2/3 as the weights' heights do; T grows not with
     b: a(0.4 d0)/d is α0(1 − 0.4)/(0.4 d0), the same but for the second order.
     """
-    inset = overturning(Facade(6.0, 0.6, 100e3, hinge_inset_m=0.05))
+    inset = overturning(PlainFacade(6.0, 0.6, 100e3, hinge_inset_m=0.05))
     three(inset.multiplier(), 0.08333)
     three(inset.ultimate()[1], 0.4983)
     found = checks.nonlinear(inset, FLAT, "on the ground")
@@ -99,7 +99,7 @@ def test_an_inset_takes_capacity_and_displacement():
 
 def test_a_pull_that_fades_is_gone_at_its_reach():
     """12 kN at 2 m that fade over 0.1 m add 12·2/300 = 0.08 at rest and half at 0.05 m of slip."""
-    fading = overturning(Facade(6.0, 0.6, 100e3), [(12e3, 2.0, 0.1, True)])
+    fading = overturning(PlainFacade(6.0, 0.6, 100e3), [(12e3, 2.0, 0.1, True)])
     three(fading.multiplier(), 0.1800)
     theta = math.asin(0.05 / 2.0)
     gain = fading.multiplier(theta) - WALL.multiplier(theta)
@@ -120,7 +120,7 @@ def test_interlocking_by_hand():
     three(force, 62.82e3)
     three(height, 2.0)
     assert (reach, fades) == (0.15, True)
-    tied = overturning(Facade(6.0, 0.6, 100e3), [(force, height, reach, fades)])
+    tied = overturning(PlainFacade(6.0, 0.6, 100e3), [(force, height, reach, fades)])
     three(tied.multiplier(), 0.5188)
     summed = courses(*given)
     total = sum(row[0] for row in summed)
@@ -134,7 +134,7 @@ def test_a_broken_tie_is_a_limit_before_a_share_of_d0():
     There the top has moved by 0.12 m, less than 0.4·0.597; 3 kN take less than half and do not
     count.
     """
-    wall = Facade(6.0, 0.6, 100e3)
+    wall = PlainFacade(6.0, 0.6, 100e3)
     strong = overturning(wall, [(30e3, 5.0, 0.1, False)])
     found, broken = strong.limit(0.4)
     assert broken
@@ -146,7 +146,7 @@ def test_a_broken_tie_is_a_limit_before_a_share_of_d0():
 
 def test_a_held_load_lowers_only_the_letters_mass_ratio():
     """100 kN held on the top of 100 kN: e* without it 0.75, with it 0.375; the onset doubles."""
-    held = two_blocks(Facade(6.0, 0.6, 100e3, roof_n=100e3, roof_arm_m=0.3), 3.0)
+    held = two_blocks(PlainFacade(6.0, 0.6, 100e3, roof_n=100e3, roof_arm_m=0.3), 3.0)
     mechanics, letter = held.participation()[1], held.participation(letter=True)[1]
     three(letter, 0.5 * mechanics)
     three(mechanics, 0.7500)
@@ -154,7 +154,7 @@ def test_a_held_load_lowers_only_the_letters_mass_ratio():
 
 def test_what_pushes_and_does_not_bear_counts_horizontally():
     """Q = 20 kN at the top: α0 = 100·0.3/(100·3 + 20·6) = 0.0714; e* = 420²/(120·(1200 + 720))."""
-    pushed = overturning(Facade(6.0, 0.6, 100e3, pushing_n=20e3))
+    pushed = overturning(PlainFacade(6.0, 0.6, 100e3, pushing_n=20e3))
     three(pushed.multiplier(), 30.0 / 420.0)
     three(pushed.participation()[1], 420.0**2 / (120.0 * 1920.0))
 
@@ -167,7 +167,7 @@ def test_an_element_free_to_vibrate_by_hand():
     """
     t0 = checks.initial_period(1.5, 0.3, 18e3, 900e6)
     three(t0, 0.06641)
-    part = overturning(Facade(1.5, 0.3, 20e3))
+    part = overturning(PlainFacade(1.5, 0.3, 20e3))
     found = checks.linear(part, SPECTRUM, "at a height", t0_s=t0)
     three(found.demand, 0.2996)
     three(found.failing_pga_g, 2.0 * 0.2 * (0.2 / 0.75) / 0.2996)
@@ -215,7 +215,7 @@ def test_parts_fail_at_the_same_pga_however_strong_the_shaking():
     found = checks.parts(WALL, strong, 3.0, 9.0, 0.0)
     three(found.demand, 3.6)
     three(found.failing_pga_g, 0.03333)
-    stubby = overturning(Facade(1.0, 4.0, 100e3))  # α0 = 4 W: never
+    stubby = overturning(PlainFacade(1.0, 4.0, 100e3))  # α0 = 4 W: never
     assert math.isinf(checks.parts(stubby, strong, 3.0, 9.0, 0.0).failing_pga_g)
 
 
@@ -250,6 +250,6 @@ def test_rows_of_ties_enter_the_mechanism_with_their_capacity():
     ((force, height, reach, fades, _),) = pulls_of({"ties": [row], "height_m": 6.0})
     three(force, 94.50e3)
     assert (height, reach, fades) == (5.0, pytest.approx(0.2), False)
-    tied = overturning(Facade(6.0, 0.6, 100e3), pulls_of({"ties": [row], "height_m": 6.0}))
+    tied = overturning(PlainFacade(6.0, 0.6, 100e3), pulls_of({"ties": [row], "height_m": 6.0}))
     three(tied.multiplier(), 1.675)
     assert pulls_of({"ties": [], "height_m": 6.0}, 5e3) == [(5e3, 6.0, 0.2, False, 0.0)]

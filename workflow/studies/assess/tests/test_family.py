@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from rocking.configuration import config
-from rocking.mechanics.blocks import Facade, overturning, two_blocks
+from rocking.mechanics.blocks import PlainFacade, overturning, two_blocks
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from studies.assess import weakest
 from studies.assess.drawings import _corner
@@ -52,12 +52,12 @@ def test_a_plain_facade_is_that_of_the_closed_form():
     plain = {"height_m": 6.0, "thickness_m": 0.6, "width_m": 4.4, "density_kg_m3": 1800.0}
     found = family(plain).part(0.0, "whole").mechanism
     weight = 1800.0 * GRAVITY_M_S2 * 6.0 * 0.6 * 4.4
-    other = overturning(Facade(6.0, 0.6, weight))
+    other = overturning(PlainFacade(6.0, 0.6, weight))
     assert found.multiplier(0.03) == pytest.approx(other.multiplier(0.03), rel=1e-12)
     assert found.participation() == pytest.approx(other.participation(), rel=1e-12)
     bent = family(plain).bent(0.0, 4.0, 6.0)
     assert bent.multiplier(0.02) == pytest.approx(
-        two_blocks(Facade(6.0, 0.6, weight), 4.0).multiplier(0.02), rel=1e-12
+        two_blocks(PlainFacade(6.0, 0.6, weight), 4.0).multiplier(0.02), rel=1e-12
     )
 
 

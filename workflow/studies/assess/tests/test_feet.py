@@ -7,7 +7,7 @@ import pytest
 from drawn_facades import several
 from rocking import Case
 from rocking.configuration import config
-from rocking.mechanics.blocks import Facade, Held, overturning
+from rocking.mechanics.blocks import Held, PlainFacade, overturning
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from studies.assess.code_checks import governing
 from studies.assess.code_spectrum import CodeDemand
@@ -136,7 +136,7 @@ def test_the_verdict_moves_with_the_length_of_a_rod_and_not_with_its_last_digit(
 
 def test_alpha_at_the_end_of_a_pull_is_that_of_the_branch_before():
     """30 kN at 5 m until 0.1 m: at d_SLV, its end, α still has F z/(W h/2 …) in it."""
-    wall = Facade(6.0, 0.6, 100e3)
+    wall = PlainFacade(6.0, 0.6, 100e3)
     held, bare = overturning(wall, [Held(30e3, 5.0, 0.1)]), overturning(wall)
     end, broken = held.limit(0.4)
     assert broken
@@ -152,7 +152,7 @@ def test_alpha_at_the_end_of_a_pull_is_that_of_the_branch_before():
 
 def test_a_slack_row_pulls_from_its_slack_on():
     """Ten millimetres at 5 m: α0 is the bare wall's, past 10 mm the row's is in it."""
-    wall = Facade(6.0, 0.6, 100e3)
+    wall = PlainFacade(6.0, 0.6, 100e3)
     slack = overturning(wall, [Held(30e3, 5.0, 0.1, False, 0.01)])
     taut = overturning(wall, [Held(30e3, 5.0, 0.1)])
     assert slack.multiplier() == pytest.approx(0.1, rel=1e-9)
@@ -165,7 +165,7 @@ def test_a_slack_row_pulls_from_its_slack_on():
 
 def test_a_pull_that_ends_beyond_the_share_of_d0_does_not_raise_the_limit():
     """30 kN at 5 m until 0.3 m, the top then at 0.36 m: d_SLV stays 0.4·0.597."""
-    held = overturning(Facade(6.0, 0.6, 100e3), [Held(30e3, 5.0, 0.3)])
+    held = overturning(PlainFacade(6.0, 0.6, 100e3), [Held(30e3, 5.0, 0.3)])
     d0 = held.ultimate()[1]
     assert held.limit(0.4) == (pytest.approx(0.4 * d0), False)
     assert d0 == pytest.approx(6.0 * math.sin(math.atan(0.1)), rel=1e-3)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from rocking.configuration import config
-from rocking.mechanics.blocks import Facade, Held, overturning, weakest_hinge
+from rocking.mechanics.blocks import Held, PlainFacade, overturning, weakest_hinge
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from studies.assess import checks
 from studies.assess.demand import TableDemand
@@ -82,8 +82,8 @@ def test_faces_at_a_step_are_those_of_the_side_that_is_asked_for():
 def test_en_1998_3_takes_a_tie_that_has_given_way_out_of_the_line():
     """A tie whose reach ends before 0.4 d0: α there is that of the bare block, tan(α − θ)."""
     weight = 100e3
-    bare = overturning(Facade(6.0, 0.6, weight))
-    tied = overturning(Facade(6.0, 0.6, weight), [Held(5e3, 5.5, 0.02)])
+    bare = overturning(PlainFacade(6.0, 0.6, weight))
+    tied = overturning(PlainFacade(6.0, 0.6, weight), [Held(5e3, 5.5, 0.02)])
     theta0, d0 = tied.ultimate()
     assert (theta0, d0) == pytest.approx(bare.ultimate(), rel=1e-9)
     steps = {row[0]: row[2] for row in checks.eurocode(tied, FLAT, "on the ground").steps}
@@ -98,8 +98,8 @@ def test_en_1998_3_takes_a_tie_that_has_given_way_out_of_the_line():
 
 def test_what_pushes_takes_from_the_multiplier_and_nothing_from_d0():
     """It does not bear: the block still turns until its weight line passes the toe: h sin α."""
-    free = overturning(Facade(6.0, 0.6, 100e3))
-    pushed = overturning(Facade(6.0, 0.6, 100e3, pushing_n=40e3))
+    free = overturning(PlainFacade(6.0, 0.6, 100e3))
+    pushed = overturning(PlainFacade(6.0, 0.6, 100e3, pushing_n=40e3))
     assert pushed.ultimate()[1] == pytest.approx(6.0 * math.sin(math.atan(0.1)), rel=1e-9)
     assert pushed.ultimate()[1] == pytest.approx(free.ultimate()[1], rel=1e-9)
     # α (W h/2 + Q h) = W b/2
@@ -124,10 +124,10 @@ def test_the_weakest_hinge_below_several_loads_is_that_below_their_resultant():
     at_middle = weakest_hinge({**section, "floors": [{**one[0], "arm_m": 0.05}]})
     assert abs(at_middle - single) > 0.05  # the arm matters
     weight = 1800.0 * GRAVITY_M_S2 * 6.0 * 0.5 * 4.0
-    facade = Facade(6.0, 0.5, weight, 0.0, 40e3, one[0]["arm_m"])
+    facade = PlainFacade(6.0, 0.5, weight, 0.0, 40e3, one[0]["arm_m"])
     assert single == pytest.approx(lowest_by_hand(facade), rel=1e-3)
     bare = weakest_hinge({**section, "floors": []})
-    assert bare == pytest.approx(lowest_by_hand(Facade(6.0, 0.5, weight)), rel=1e-3)
+    assert bare == pytest.approx(lowest_by_hand(PlainFacade(6.0, 0.5, weight)), rel=1e-3)
 
 
 def lowest_by_hand(f):

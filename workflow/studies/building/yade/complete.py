@@ -19,10 +19,10 @@ import numpy as np
 
 from yade_scripts.model.building.plan import TOLERANCE_M, PlanError, PlanWall, shortened
 from yade_scripts.model.facade import FACADE, Beds, plain_block
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.return_walls import back_jkn, back_strength
 from yade_scripts.model.scene import DOFS, NodeList, Scene
-from yade_scripts.model.shape import refuse
 
 BACK_JOINTS = ("bricks", "facade")
 
@@ -83,9 +83,9 @@ def complete_scene(
         raise ValueError(
             f"complete.back_joint = '{back_joint}': expected {' or '.join(BACK_JOINTS)}"
         )
-    section = config["facade"]
-    refuse(section, "the complete building", held=True)
-    h, b, width = section["height_m"], section["thickness_m"], section["width_m"]
+    own = Facade.of(config["facade"])
+    own.refuse("the complete building", held=True)
+    h, b, width = own.height_m, own.thickness_m, own.width_m
     bricks, base = building.bricks, with_rigid_floors(building)
     ends = np.flatnonzero(np.abs(bricks.high_m[:, 1] - crack_m) < TOLERANCE_M)
     blocks = [
@@ -98,8 +98,8 @@ def complete_scene(
         raise ValueError("the complete building: no brick ends at the crack")
     middle = 0.5 * float(bricks.low_m[ends, 0].min() + bricks.high_m[ends, 0].max())
     facade = len(blocks)
-    back = crack_m + section["gap_m"]
-    blocks.append(plain_block(section, DOFS, middle, back))
+    back = crack_m + own.gap_m
+    blocks.append(plain_block(own, DOFS, middle, back))
     nodes = NodeList(scene=base)
     Beds(config, beta_s, nodes, planar=False).base(facade, ground, origin=(middle, back))
     moduli = None
@@ -130,10 +130,10 @@ def _touch(nodes, config, bricks, brick, facade, face, beta_s, bonded, moduli):
     `face` is x of the façade's edges and y of the crack [m]; `moduli` those of the half brick
     behind the joint, normal and shear [Pa], None: jkn of the other models.
     """
-    section = config["facade"]
+    own = Facade.of(config["facade"])
     (x0, y0, z0), (x1, _, z1) = bricks.low_m[brick], bricks.high_m[brick]
     left_m, right_m, crack_m = face
-    z1 = min(z1, section["height_m"])
+    z1 = min(z1, own.height_m)
     x0, x1 = max(x0, left_m), min(x1, right_m)
     if z1 - z0 <= TOLERANCE_M or x1 - x0 <= TOLERANCE_M:
         return
@@ -143,7 +143,7 @@ def _touch(nodes, config, bricks, brick, facade, face, beta_s, bonded, moduli):
         [0 * points + 0.5 * (x0 + x1), 0 * points + crack_m, z0 + points * (z1 - z0)], axis=1
     )
     jkn_back = back_jkn(config)
-    jkn, jks = jkn_back, section["shear_stiffness_ratio"] * jkn_back
+    jkn, jks = jkn_back, own.shear_stiffness_ratio * jkn_back
     if moduli is not None:
         jkn, jks = (2.0 * e / (crack_m - y0) for e in moduli)
     nodes.add_joint(
@@ -156,7 +156,7 @@ def _touch(nodes, config, bricks, brick, facade, face, beta_s, bonded, moduli):
         jkn,
         jks,
         beta_s=beta_s * jkn_back / jkn,
-        gap_m=section["gap_m"],
+        gap_m=own.gap_m,
         **back_strength(config["return_wall"], bonded),
     )
 

@@ -1,0 +1,207 @@
+"""A façade as its configuration states it: size, masonry, shape, what holds and what loads it.
+
+A `Facade` is made once of section facade, by `Facade.of`, and handed on; scene, hand calculation,
+drawing and formula take what they need of it by name. Names, units and defaults are those of
+`workflow/schemas/facade.schema.yaml`, which describes each.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+
+STUDY, COLUMN = "study", "column"  # forms of the base
+TRIANGLE = "triangle"  # outline of a gable by itself
+OWN_KEYS = ("thickness_steps", "openings", "gable_height_m", "parapet_height_m")  # of a shape
+FLAT = "flat"  # bearing of a load that lies on the whole thickness
+
+
+@dataclass(frozen=True)
+class Step:
+    """From a height above the base on, a thickness [m]."""
+
+    z_m: float
+    thickness_m: float
+
+
+@dataclass(frozen=True)
+class Hole:
+    """A hole through the façade: its middle along it, its sill above the base, its size [m]."""
+
+    x_m: float
+    z_m: float
+    width_m: float
+    height_m: float
+
+
+@dataclass(frozen=True)
+class Rods:
+    """A row of equal rods at a height above the base; `anchor_kn` None: it holds whatever it is."""
+
+    height_m: float
+    count: int
+    diameter_mm: float
+    length_m: float
+    e_mpa: float
+    yield_mpa: float
+    elongation: float
+    slack_mm: float = 0.0
+    anchor_kn: float | None = None
+
+    @property
+    def rod(self):
+        """Stiffness n E A/L [N/m], capacity n min(A f_y, F_a) [N] and elongation [m] of the row."""
+        area = math.pi / 4.0 * (1e-3 * self.diameter_mm) ** 2
+        stiffness = self.count * self.e_mpa * 1e6 * area / self.length_m
+        steel = self.count * self.yield_mpa * 1e6 * area
+        anchor = math.inf if self.anchor_kn is None else self.count * self.anchor_kn * 1e3
+        if anchor <= steel:
+            return stiffness, anchor, anchor / stiffness
+        return stiffness, steel, max(self.elongation * self.length_m, steel / stiffness)
+
+
+@dataclass(frozen=True)
+class FloorRow:
+    """A floor at a height above the base: its load, and what friction and anchors hold."""
+
+    height_m: float
+    load_kn: float
+    friction: float
+    anchor_kn: float
+    anchor_reach_m: float
+    stiffness_kn_m: float
+    mass_t: float
+    period_s: float
+    arm_m: float | None = None
+    bearing: str = "point"
+    load_inertia: bool | None = None
+
+    @property
+    def load_n(self):
+        """Weight that it lays on the façade [N]."""
+        return 1e3 * self.load_kn
+
+    @property
+    def is_flat(self):
+        """Whether its load lies on the whole thickness and stays level."""
+        return self.bearing == FLAT
+
+    @property
+    def has_inertia(self):
+        """Whether its load moves up and down with its mass; by its bearing if not stated."""
+        return self.is_flat if self.load_inertia is None else self.load_inertia
+
+    @property
+    def is_block(self):
+        """Whether its load is a block of its own."""
+        return self.load_kn > 0.0 and (self.is_flat or self.has_inertia)
+
+
+@dataclass(frozen=True)
+class Facade:
+    """Section facade as values; two of the same values are equal and have the same hash."""
+
+    height_m: float
+    thickness_m: float
+    width_m: float
+    density_kg_m3: float
+    e_mpa: float
+    friction_deg: float
+    shear_stiffness_ratio: float
+    base_stiffness_pa_m: float | None
+    gap_m: float
+    tilt_deg: float
+    bond_tension_mpa: float = 0.0
+    bond_cohesion_mpa: float = 0.0
+    base: str = STUDY
+    courses: int = 0
+    courses_growth: float = 1.0
+    sides: str = "one"
+    outline: str = "box"
+    thickness_steps: tuple[Step, ...] = ()
+    flush_face: str = "outer"
+    openings: tuple[Hole, ...] = ()
+    gable_height_m: float = 0.0
+    parapet_height_m: float = 0.0
+    parapet_thickness_m: float | None = None
+    base_height_m: float = 0.0
+    building_height_m: float | None = None
+    hinges_m: tuple[float, ...] | str = ()
+    ties: tuple[Rods, ...] = ()
+    floors: tuple[FloorRow, ...] = ()
+
+    @classmethod
+    def of(cls, section):
+        """Façade of a section of the configuration, or of a case file; a façade as it is.
+
+        ValueError of one line for a key that is missing or that a façade has not.
+        """
+        if isinstance(section, cls):
+            return section
+        given = _known(cls, section, "facade")
+        for key, row in ROWS.items():
+            stated = given.get(key, ())
+            given[key] = tuple(
+                one if isinstance(one, row) else row(**_known(row, one, f"facade.{key}[{number}]"))
+                for number, one in enumerate(stated, 1)
+            )
+        hinges = given.get("hinges_m", ())
+        given["hinges_m"] = hinges if isinstance(hinges, str) else tuple(hinges)
+        return cls(**given)
+
+    @property
+    def is_free(self):
+        """Whether it stands free, without return walls."""
+        return self.sides == "two"
+
+    @property
+    def is_plain(self):
+        """Whether it is a homogeneous box from ground to top of its building."""
+        own = any(getattr(self, key) for key in OWN_KEYS) or self.outline == TRIANGLE
+        whole = self.building_height_m or self.height_m
+        return not (own or self.base_height_m or whole != self.height_m)
+
+    @property
+    def building_top_m(self):
+        """Height of the building whose masses move the walls behind it [m]."""
+        return self.building_height_m or self.base_height_m + self.height_m
+
+    def refuse(self, what, held=False):
+        """Raise a ValueError of one line if it is no plain box on the ground, in one piece.
+
+        With `held` also if ties, floors or a bond hold it.
+        """
+        keys = [*OWN_KEYS, "base_height_m", "building_height_m", "hinges_m", "courses"]
+        if held:
+            keys += ["ties", "floors", "bond_tension_mpa", "bond_cohesion_mpa"]
+        given = [key for key in keys if getattr(self, key)]
+        given += ["outline"] if self.outline == TRIANGLE else []
+        if given:
+            raise ValueError(
+                f"facade.{given[0]}: {what} knows a plain façade on the ground alone; expected none"
+            )
+
+    def refuse_bonds(self, what):
+        """Raise a ValueError of one line if its own joints are bonded."""
+        for key in ("bond_tension_mpa", "bond_cohesion_mpa"):
+            if value := getattr(self, key):
+                raise ValueError(
+                    f"facade.{key} = {value:g}: {what} knows dry joints alone; expected 0 (MPa)"
+                )
+
+
+ROWS = {"thickness_steps": Step, "openings": Hole, "ties": Rods, "floors": FloorRow}
+NAMES = {kind: {one.name for one in fields(kind)} for kind in (Facade, *ROWS.values())}
+NEEDED = {
+    kind: {one.name for one in fields(kind) if one.default is one.default_factory} for kind in NAMES
+}
+
+
+def _known(kind, section, where):
+    """Values by key of a section, if they are those of a kind."""
+    if not isinstance(section, Mapping):
+        raise ValueError(f"{where} = {section!r}: expected keys and values")
+    if missing := NEEDED[kind] - section.keys():
+        raise ValueError(f"{where}.{sorted(missing)[0]}: expected a value, found none")
+    if other := section.keys() - NAMES[kind]:
+        raise ValueError(f"{where}.{sorted(other)[0]}: expected one of {sorted(NAMES[kind])}")
+    return dict(section)
