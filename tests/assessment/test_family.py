@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from rocking.assessment import weakest
-from rocking.assessment.drawings import _corner
+from rocking.assessment.drawn_bodies import _corner
 from rocking.assessment.family import Family, stretched
 from rocking.assessment.masonry import Masonry
 from rocking.configuration import config

@@ -19,13 +19,17 @@ LEVEL_M = 0.3  # what holds no higher above a held level belongs to it, as ties 
 WHOLE = (0.0, None, None)
 
 
-def part_of(section, foot_m, held_m=None, hinge_m=None):
+def part_of(section, foot_m, held_m=None, hinge_m=None, wedge=None):
     """Section facade of the part of a façade above a foot, in heights above the façade's base.
 
-    Of vertical bending `held_m` is the level that stays, `hinge_m` the joint that opens below it.
+    A `wedge` of the return walls, (angle of its crack from the vertical in degrees, thickness of
+    all walls), makes it one block, on the base of the elastic wall where the façade has courses. Of
+    vertical bending `held_m` is the level that stays, `hinge_m` the joint that opens below it.
     ValueError of one line for heights that the façade has not, hinges that are stated already, or a
     tilt.
     """
+    if wedge and wedge[0]:
+        return _with_wedge(section, (foot_m, held_m, hinge_m), *wedge)
     if (foot_m, held_m, hinge_m) == WHOLE:  # with hinges, courses or a tilt of its own
         return dict(section)
     _check(section, foot_m, held_m, hinge_m)
@@ -59,6 +63,20 @@ def part_of(section, foot_m, held_m=None, hinge_m=None):
         "ties": _rows(section["ties"], foot_m, top),
         "floors": floors,
     }
+
+
+def _with_wedge(section, heights, deg, thickness_m):
+    """A part with a wedge of the return walls."""
+    foot_m, held_m, _ = heights
+    if held_m is not None or foot_m >= section["height_m"] - NEAR_M:
+        raise ValueError(
+            f"part.wedge_deg = {deg:g}: expected 0 (°) for a part that bends, or that has no "
+            "return walls behind it"
+        )
+    found = part_of({**section, "courses": 0}, *heights)
+    elastic = section.get("courses") and not found["base_stiffness_pa_m"]
+    base = "column" if elastic else section.get("base", "study")
+    return found | {"wedge_deg": deg, "wedge_thickness_m": thickness_m, "base": base}
 
 
 def _check(section, foot_m, held_m, hinge_m):

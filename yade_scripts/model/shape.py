@@ -12,12 +12,18 @@ exactly. With b_g from the centroid out to the toe and z_g down to the base, it 
 static multiplier λ = b_g/z_g on, and its weight line passes the toe when its top, H above the base,
 has moved by H b_g/z_g: that is the b of d/b, and b itself for a plain façade.
 
+A wedge of the return walls (`wedge_deg`, `wedge_thickness_m` of all together) goes along with the
+façade: between its back face and a crack that leaves it at the base and climbs at that angle from
+the vertical, up to what the return walls hold. About x, the axis that it turns about, its moments
+are exact; along x it counts as one in the middle.
+
 Hinges cut it into rigid pieces: each has the parts between its two, by the same sums. Two pieces
 meet on the thickness that both have there, and on the width that no opening takes from either.
 """
 
 import bisect
 import itertools
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,7 +33,7 @@ from yade_scripts.model.intervals import without
 from yade_scripts.model.scene import box_inertia
 
 SLIVER_M = 1e-9
-OWN_KEYS = ("thickness_steps", "openings", "gable_height_m", "parapet_height_m")
+OWN_KEYS = ("thickness_steps", "openings", "gable_height_m", "parapet_height_m", "wedge_deg")
 TRIANGLE = "triangle"  # outline of a gable by itself
 
 
@@ -54,6 +60,7 @@ class Shape:
     openings: tuple
     parts: tuple
     hinges_m: tuple = ()
+    slope: float = 0.0  # of a wedge's crack: how far back it reaches over its height
 
     def piece_at(self, height_m):
         """Which of the rigid pieces between hinges a height belongs to, the lower at a hinge."""
@@ -208,6 +215,7 @@ def shape_of(facade):
         parts.append(_prism(density, width, storeys[0][2:], 0.0, h))
     if gable:
         parts.append(_prism(density, width, storeys[-1][2:], h, gable))
+    parts += _wedge(facade, storeys)
     mass, centre, tensor = _total(parts)
     top = h + gable + parapet
     found = Shape(
@@ -222,10 +230,12 @@ def shape_of(facade):
         openings,
         tuple(parts),
         _hinges(facade),
+        slope_of(facade),
     )
     if not 0.0 < found.centre_m[1] < b:
+        key = "wedge_deg" if found.slope else "thickness_steps"
         raise ValueError(
-            f"facade.thickness_steps: the weight falls {found.centre_m[1]:.3g} m from the back of "
+            f"facade.{key}: the weight falls {found.centre_m[1]:.3g} m from the back of "
             f"the base; expected between 0 and facade.thickness_m = {b:g} (m)"
         )
     if found.base_lost_m > width - 1e-3:
@@ -251,6 +261,47 @@ def _prism(density, width_m, faces, foot_m, height_m):
     own += np.array([height_m**2 / 18, height_m**2 / 18, t**2 / 12])
     centre = np.array([0.0, 0.5 * (y0 + y1), foot_m + height_m / 3.0])
     return mass, centre, np.diag(mass * own), (width_m, t, height_m)
+
+
+def slope_of(facade):
+    """Tangent of a wedge's crack angle; 0 without a wedge."""
+    return math.tan(math.radians(facade.get("wedge_deg") or 0.0))
+
+
+def _wedge(facade, storeys):
+    """Parts of the return walls' wedge, one before each storey of thickness."""
+    slope, thick, h = slope_of(facade), facade.get("wedge_thickness_m"), facade["height_m"]
+    if not slope:
+        return []
+    if not thick:
+        raise ValueError(
+            "facade.wedge_thickness_m: expected the thickness of all return walls together (m) "
+            f"with facade.wedge_deg = {facade['wedge_deg']:g}"
+        )
+    found = []
+    for z0, z1, y, _ in storeys:
+        if z0 < h - SLIVER_M:
+            outline = [(y - slope * z0, z0), (y, z0), (y, z1), (y - slope * z1, z1)]
+            found.append(_sheet(facade["density_kg_m3"], thick, np.array(outline)))
+    return found
+
+
+def _sheet(density, thick_m, outline):
+    """Mass, centroid, moments and size of a polygon (y, z), counter-clockwise, on a width.
+
+    By Green's theorem, as sums over its edges.
+    """
+    first = outline[0]  # sums are of places from there
+    (y0, z0), (y1, z1) = (outline - first).T, (np.roll(outline, -1, axis=0) - first).T
+    cross = y0 * z1 - y1 * z0
+    area = 0.5 * cross.sum()
+    cy, cz = ((a + b) @ cross / (6.0 * area) for a, b in ((y0, y1), (z0, z1)))
+    yy, zz = ((a * a + a * b + b * b) @ cross / 12.0 for a, b in ((y0, y1), (z0, z1)))
+    yy, zz = yy / area - cy**2, zz / area - cz**2
+    mass, xx = density * thick_m * area, thick_m**2 / 12.0
+    centre = np.array([0.0, first[0] + cy, first[1] + cz])
+    size = (thick_m, *np.ptp(outline, axis=0).tolist())
+    return mass, centre, np.diag([mass * (yy + zz), mass * (xx + zz), mass * (xx + yy)]), size
 
 
 def _offset(d):

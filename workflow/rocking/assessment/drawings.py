@@ -3,8 +3,10 @@
 import numpy as np
 from matplotlib.patches import Polygon, Rectangle
 
+from rocking.assessment import drawn_bodies
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.holds import rod
+from yade_scripts.model.ties import rods_at
 
 SMALL = 6.5  # points, of numbers
 AROUND_MM, MARGIN_MM = 23.0, 22.0  # paper for numbers: on either side, above and below
@@ -87,10 +89,10 @@ def _elevation(axis, family, candidate, scale):
         axis.plot([-half, half], [row["height_m"]] * 2, color="0.2", lw=0.8, ls="--")
     for row in section["ties"]:
         z = row["height_m"]
-        across = np.linspace(-0.8 * half, 0.8 * half, row["count"]) if row["count"] > 1 else [0.0]
+        across = rods_at(row, m.width_m)
         axis.plot(across, [z] * len(across), "x", color="0", ms=4.5, mew=1.3)
-    if not candidate.plane:
-        axis.add_patch(Polygon(_corner(family, candidate), fc="none", ec="0", lw=1.1, ls="--"))
+    for outline in drawn_bodies.on_elevation(family, candidate):
+        axis.add_patch(Polygon(outline, fc="none", ec="0", lw=1.1, ls="--"))
     if family.base_m > 0.0:
         below = (-half, -family.base_m)
         axis.add_patch(Rectangle(below, 2 * half, family.base_m, fc="1", ec="0.5", hatch="//"))
@@ -118,16 +120,6 @@ def _elevation(axis, family, candidate, scale):
     _titled(axis, 0.0, top + 3.0 * scale, "elevation, from outside")
 
 
-def _corner(family, candidate):
-    """Outline of what a corner takes of the elevation, up to its crack (`Masonry.wedge`)."""
-    m, foot = family.masonry, candidate.foot_m
-    edge = 0.5 * m.width_m * (-1.0 if candidate.name.startswith("left") else 1.0)
-    reach = (m.height_m - foot) * np.tan(np.radians(family.settings["corner_crack_deg"]))
-    inner = edge * (1.0 - 2.0 * min(reach / m.width_m, 1.0))
-    met = foot + (m.height_m - foot) * min(m.width_m / reach, 1.0)
-    return [(edge, foot), (edge, m.height_m), (inner, m.height_m), (inner, met)]
-
-
 def _section(axis, family, candidate, scale):
     m, section = family.masonry, family.section
     for z0, z1, y0, y1 in m.shape.storeys:
@@ -142,8 +134,10 @@ def _section(axis, family, candidate, scale):
     if family.base_m > 0.0:
         axis.add_patch(Rectangle((-depth, ground), depth + b, family.base_m, fc="1", ec="0.5"))
     axis.plot([-1.2 * depth, b + 16 * scale], [ground] * 2, color="0", lw=1.2)
-    if candidate.plane:
+    if not candidate.side:
         _turned(axis, m, candidate.mechanism)
+    for outline in drawn_bodies.on_section(family, candidate):
+        axis.add_patch(Polygon(outline, fc="none", ec="0", lw=0.9, ls="--"))
     edge = family._edge(candidate.foot_m, family.settings["hinge_inset_m"])
     axis.plot(edge, candidate.foot_m, "o", ms=3.5, color="0")
     held: dict[float, str] = {}

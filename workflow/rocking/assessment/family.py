@@ -23,7 +23,7 @@ that it lasts until collapse.
 import math
 from typing import NamedTuple
 
-from rocking.assessment import weakest
+from rocking.assessment import repertory, weakest
 from rocking.assessment.checks import initial_period
 from rocking.assessment.masonry import Masonry
 from rocking.assessment.sites import CORNERS, LEAST_PART_M, WHOLE_PART
@@ -67,16 +67,22 @@ class Candidate(NamedTuple):
     side: int = 0  # of a corner, −1 or 1; 0 turns over the whole width, as the dynamic models do
     part: str = ""  # short name of letters, digits, `_` and `.`, unique within a façade
     letter: Mechanism | None = None  # with the links that give way early, where these are left out
+    crack_deg: float | None = None  # these five as of `sites.Site`
+    left_m: float | None = None
+    right_m: float | None = None
+    middle_m: float | None = None
+    top_m: float | None = None
 
     @property
     def plane(self):
         """Whether it turns over the whole width."""
-        return not self.side
+        return not self.side and self.left_m is None
 
     @property
     def whole(self):
-        """Whether it is the whole façade about its base."""
-        return self.plane and self.foot_m == 0.0 and self.held_m is None
+        """Whether it is the whole façade about its base, without a wedge."""
+        alone = self.held_m is None and self.crack_deg is None
+        return self.plane and self.foot_m == 0.0 and alone
 
 
 def pulls_of(section, added_n=0.0):
@@ -280,13 +286,21 @@ class Family:
             for w, x, y, z in self.masonry.wedge(foot_m, tangent, side)
         ]
         masses += self._return_wedge(foot_m, tangent, self.wall["thickness_m"], root)
-        found = toppling("corner", masses, (-inset, foot_m), (-inset, self.height_m))
+        thrust = self.settings["hip_thrust_kn"]
+        hinge, top = (-inset, foot_m), (-inset, self.height_m)
+        found = toppling("corner", masses, hinge, top, thrusts=[(1e3 * thrust, self.height_m)])
         name, on_ground = (
             f"{CORNERS[side]} corner above {foot_m:.2f} m",
             self.base_m + foot_m <= 0.0,
         )
         given = name, found, foot_m, self._place(foot_m, self.height_m), on_ground
         return Candidate(*given, side=side, part=f"{CORNERS[side]}_corner")
+
+    def between(self, mechanism, foot_m, top_m, part, ends):
+        """`Candidate` of a mechanism between two ends along the façade, held up to a height."""
+        place, on_ground = self._place(foot_m, top_m), self.base_m + foot_m <= 0.0
+        own = Candidate(mechanism.name, mechanism, foot_m, place, on_ground, part=part)
+        return own._replace(left_m=ends[0], right_m=ends[1])
 
     def _return_wedge(self, foot_m, tangent, depth_m, root):
         """Its part of the return wall, behind the façade's thickness."""
@@ -301,6 +315,8 @@ class Family:
 
     def at(self, site):
         """`Candidate` of a `Site`."""
+        if site.crack_deg is not None or site.left_m is not None:
+            return repertory.at(self, site)
         if site.side:
             return self.corner(site.side, site.foot_m)
         if site.held_m is not None:
@@ -319,7 +335,8 @@ class Family:
 
     def sites(self):
         """`Site` of every mechanism, the whole façade first."""
-        return weakest.parts(self) + weakest.spans(self) + weakest.corners(self)
+        plain = weakest.parts(self) + weakest.spans(self) + weakest.corners(self)
+        return plain + repertory.sites(self)
 
     def spans(self):
         """Vertical bending between every two levels that hold, where it falls."""

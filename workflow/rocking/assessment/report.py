@@ -15,6 +15,7 @@ from rocking.assessment import (
     walls,
 )
 from rocking.assessment.checks import LEAST_KNOWN
+from rocking.assessment.names import not_asked
 from rocking.assessment.paper import Picture
 from rocking.assessment.sites import WHOLE_PART
 from rocking.assessment.verdict import g3, per_cent, powered
@@ -55,7 +56,7 @@ def context(data, digest):
             ("Which ties?", ties_said.answer(data)),
             ("How far?", capacity_said(data)),
             ("How often?", rate_said(data)),
-            ("Not covered", NOT_COVERED),
+            ("Not covered", f"{NOT_COVERED} {not_asked(own['mechanisms'])}".strip()),
         ],
         "rests_on": rests_on(data),
         "mechanisms": content.by_mechanism(data),

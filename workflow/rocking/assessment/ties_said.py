@@ -4,12 +4,13 @@ import math
 
 from rocking.assessment.anchors import CRUSHING, PUNCHING
 from rocking.assessment.paper import Table
-from rocking.assessment.shaken import CORNER, FAR, STOCKY
+from rocking.assessment.shaken import CORNER, FAR, NARROW, STOCKY
 from rocking.assessment.verdict import g3, per_cent, the, together, words_of
 
 BY = {PUNCHING: "it punches through the wall", CRUSHING: "the wall crushes under it"}
 REASONS = {
     CORNER: "not over the whole width",
+    NARROW: "not over the whole width",
     STOCKY: "too low to rock",
     FAR: "far from the demand",
 }

@@ -12,7 +12,7 @@ import math
 from typing import NamedTuple
 
 from rocking.assessment.dynamic_check import FINE, decided, limits_of
-from rocking.assessment.shaken import cases, chosen, heights
+from rocking.assessment.shaken import cases, chosen, heights, part_of
 from rocking.collapse.case import Variant
 from yade_scripts.model.part import LEVEL_M, NEAR_M
 
@@ -100,7 +100,7 @@ class Shaken:
             return True
         case = next(case for case in tried if case.model == failing.model)
         one = known[failing.part]
-        part = case if one.whole else case.part(*heights(one))
+        part = case if one.whole else part_of(case, one)
         return self._run(rows, part, failing.part, one)["holds"]
 
     def _parts(self, rows, model):

@@ -186,6 +186,7 @@ def _check_shape(resolved: Mapping) -> None:
         if not registry.model(name).single_block:
             raise ConfigError(f"models = {name}: expected a façade of one block with a shape")
     _check_outline(facade)
+    _check_wedge(facade)
     if facade["courses"]:
         _shape(facade, course_tops(facade)[:-1], "courses")
     if facade["tilt_deg"]:
@@ -203,6 +204,20 @@ def _shape(facade: Mapping, hinges: Sequence, key: str = "hinges_m") -> None:
             shape.joint_at(z)
     except ValueError as error:
         raise ConfigError(str(error).replace("facade.hinges_m", f"facade.{key}", 1)) from None
+
+
+def _check_wedge(facade: Mapping) -> None:
+    """Refuse a wedge of the return walls where there are none, or on a façade in pieces."""
+    if not facade["wedge_deg"]:
+        return
+    given = [key for key in ("hinges_m", "courses") if facade[key]]
+    given += ["sides"] if facade["sides"] == "two" else []
+    if given:
+        raise ConfigError(
+            f"facade.wedge_deg = {show(facade['wedge_deg'])}: expected 0 (°) with facade."
+            f"{given[0]} = {show(facade[given[0]])}: the wedge goes along with one block that "
+            "leans on return walls"
+        )
 
 
 def _check_outline(facade: Mapping) -> None:

@@ -64,11 +64,19 @@ def _checked(facade):
     return f
 
 
-def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=()):
+def thrusting(rows, move, y_m):
+    """`Pull`s of static thrusts (force_n, height_m), horizontal, outward, on a vertical at y.
+
+    They do not grow with the shaking: their work is on the side of what holds, with its sign.
+    """
+    return tuple(Pull(-force, move((y_m, z))) for force, z in rows if force)
+
+
+def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=(), thrusts=()):
     """One rigid block that turns outward about a hinge (y, z); its control point is `top`.
 
     Masses and loads, what it carries, are (weight_n, y_m, z_m); pulls are `Held`; pushes (weight_n,
-    height_m) are masses that push horizontally and do not bear on it.
+    height_m) are masses that push horizontally and do not bear on it; thrusts see `thrusting`.
     """
 
     def move(point):
@@ -78,7 +86,7 @@ def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=()):
     weights = [Weight(w, move((y, z))) for w, y, z in carried if w > 0.0]
     pushing = [Weight(w, _part(move((hinge[0], z)), 0)) for w, z in pushes if w > 0.0]
     pieces = ((hinge[1], top[1], move),)
-    held = _pulls(pulls, move, hinge, top)
+    held = _pulls(pulls, move, hinge, top) + thrusting(thrusts, move, hinge[0])
     lumped = (*_lump(carried, move), *pushing)
     given = name, (*weights, *pushing), move(top), held
     return Mechanism(*given, pieces=pieces, lumped=lumped)
