@@ -42,6 +42,7 @@ from yade_scripts.model.rest import at_rest
 from yade_scripts.model.return_walls import WALL, add_return_walls, back_jkn
 from yade_scripts.model.scene import DOFS, DRY, NO_DRAG, Block, NodeList, Scene, box_inertia, held
 from yade_scripts.model.shape import is_plain, shape_of
+from yade_scripts.model.thrusts import thrust_ties
 from yade_scripts.model.ties import anchor_ties, facade_ties
 from yade_scripts.model.wall_motion import building_height, motion_of
 
@@ -138,6 +139,7 @@ def facade_scene(
     behind = walls, blocks, shape
     ties = facade_ties(facade.get("ties", ()), *behind)
     ties += anchor_ties(facade.get("floors", ()), *behind)
+    ties += thrust_ties(facade.get("thrusts", ()), *behind)
     floors, springs = facade_floors(
         facade.get("floors", ()), *behind, config["smdof"]["damping_ratio"]
     )

@@ -21,7 +21,8 @@ TIE, ANCHOR, FRICTION = "tie", "anchor", "friction"
 class Hold(NamedTuple):
     """One thing that holds a façade back at a height above its base.
 
-    Its point moves by `slack_m` outward from the upright before it pulls, and loses it at `reach_m`
+    Its point moves by `slack_m` outward from the upright before it pulls (less than nothing: it
+    pulls from the start), and loses it at `reach_m`
     from the upright, slack included; inf: never.
     """
 
@@ -48,9 +49,13 @@ def rod(row):
 
 
 def of_tie(row):
-    """`Hold` of a row of ties, an entry of facade.ties."""
+    """`Hold` of a row of ties, an entry of facade.ties.
+
+    A pretension N (`pretension_kn`, of one rod) is a slack of −N/k: the rod pulls N from the start.
+    """
     stiffness, capacity, elongation = rod(row)
-    slack = 1e-3 * row["slack_mm"]
+    stretched = 1e3 * row["count"] * row.get("pretension_kn", 0.0) / stiffness
+    slack = 1e-3 * row["slack_mm"] - stretched
     return Hold(TIE, row["height_m"], stiffness, capacity, slack, slack + elongation)
 
 

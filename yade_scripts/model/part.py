@@ -61,6 +61,7 @@ def part_of(section, foot_m, held_m=None, hinge_m=None, wedge=None):
         ],
         "openings": _openings(section["openings"], foot_m, top),
         "ties": _rows(section["ties"], foot_m, top),
+        "thrusts": _rows(section.get("thrusts", ()), foot_m, top),
         "floors": floors,
     }
 
@@ -119,6 +120,7 @@ def _above_the_walls(section, shape, foot_m):
         "thickness_steps": [],
         "openings": [],
         "ties": [],
+        "thrusts": [],
         "floors": [],
     }
 

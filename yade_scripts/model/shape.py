@@ -173,7 +173,7 @@ def refuse(facade, what, held=False):
     """
     keys = [*OWN_KEYS, "base_height_m", "building_height_m", "hinges_m", "courses"]
     if held:
-        keys += ["ties", "floors", "bond_tension_mpa", "bond_cohesion_mpa"]
+        keys += ["ties", "floors", "thrusts", "bond_tension_mpa", "bond_cohesion_mpa"]
     given = [key for key in keys if facade.get(key)]
     given += ["outline"] if facade.get("outline") == TRIANGLE else []
     if given:

@@ -131,7 +131,7 @@ def pulled(candidate):
     found = []
     for pull in candidate.mechanism.pulls:
         height = pull.path(0.0)[1].real
-        name = "courses" if pull.fades else "tie or anchor"
+        name = "courses" if pull.fades else "tie or anchor" if pull.force_n > 0.0 else "thrust"
         out = rate(pull.path, 0.0)[0]
         found.append(Pulled(name, pull.force_n, height, pull.slack_m, pull.reach_m, out))
     return sorted(found, key=lambda row: row.height_m)

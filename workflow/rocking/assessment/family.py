@@ -45,7 +45,7 @@ def stretched(section, factor):
     found = {**section, "height_m": factor * section["height_m"]}
     for key in ("gable_height_m", "parapet_height_m"):
         found[key] = factor * section[key]
-    for rows in ("floors", "ties", "openings", "thickness_steps"):
+    for rows in ("floors", "ties", "thrusts", "openings", "thickness_steps"):
         found[rows] = [
             {k: factor * v if k in ("height_m", "z_m") else v for k, v in row.items()}
             for row in section[rows]
@@ -91,7 +91,7 @@ def pulls_of(section, added_n=0.0):
     With `added_n` one more row of that capacity, at the top of what the return walls hold.
     """
     found = [
-        Held(one.capacity_n, one.height_m, one.reach_m, False, one.slack_m)
+        Held(one.capacity_n, one.height_m, one.reach_m, False, max(one.slack_m, 0.0))
         for one in holds(section)
         if one.kind != FRICTION
     ]
@@ -126,6 +126,7 @@ class Family:
             )
         self.pulls = pulls_of(section, added_n)
         self.loads = self._loads()
+        self.thrusts = [(1e3 * row["force_kn"], row["height_m"]) for row in section["thrusts"]]
         self.pushes = [(1e3 * settings["pushing_kn"], self.height_m)]
 
     def _loads(self):
@@ -160,8 +161,8 @@ class Family:
             pulls.append(self._interlocked(foot_m))
         loads = [row for row in self.loads if row[2] >= foot_m + (NEAR_M if foot_m else 0.0)]
         pushes = [row for row in self.pushes if row[1] > foot_m + NEAR_M]
-        masses = m.masses(foot_m, m.top_m)
-        found = toppling(name, masses, hinge, (hinge[0], m.top_m), loads, pulls, pushes)
+        masses, thrusts = m.masses(foot_m, m.top_m), self.thrusting(foot_m)
+        found = toppling(name, masses, hinge, (hinge[0], m.top_m), loads, pulls, pushes, thrusts)
         free = foot_m >= self.height_m - NEAR_M  # above all that the return walls hold
         stated = self.settings["height_ratio"]
         place = self._place(foot_m, max(self.height_m, foot_m))
@@ -171,6 +172,10 @@ class Family:
         own = part or (f"above_{float(round(foot_m, 6))}" if foot_m else WHOLE_PART)
         on_ground = self.base_m + foot_m <= 0.0
         return Candidate(name, found, foot_m, place, on_ground, t0, part=own)
+
+    def thrusting(self, foot_m, below_m=math.inf):
+        """Static thrusts between two heights: (force_n, height_m)."""
+        return [row for row in self.thrusts if foot_m + NEAR_M < row[1] < below_m - NEAR_M]
 
     def _period(self, foot_m, top_m):
         back, front = self.masonry.faces(foot_m)
@@ -193,6 +198,7 @@ class Family:
         rows = [(self.height_m, foot)] if m.top_m > self.height_m else []
         rows += [(row["height_m"], "tie") for row in self.section["ties"]]
         rows += [(row["height_m"], "floor") for row in self.section["floors"]]
+        rows += [(z, "thrust") for _, z in self.thrusts]
         rows += [(z0, "sill of an opening") for *_, z0, _ in m.shape.openings]
         rows += [(z1, "head of an opening") for *_, z1 in m.shape.openings]
         above = zip(m.shape.storeys, m.shape.storeys[1:], strict=False)
@@ -265,6 +271,7 @@ class Family:
             between,
             above,
             [p for p in self.pulls if low_m + NEAR_M < p.height_m < high_m - NEAR_M],
+            self.thrusting(low_m, high_m),
         )
 
     def corner(self, side, foot_m=None):

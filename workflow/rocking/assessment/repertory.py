@@ -108,7 +108,8 @@ def compound(family, foot_m, crack_deg):
     loads = [row for row in family.loads if row[2] >= foot_m + (NEAR_M if foot_m else 0.0)]
     pushes = [row for row in family.pushes if row[1] > foot_m + NEAR_M]
     masses = m.masses(foot_m, m.top_m) + wedge
-    found = toppling(plain.name, masses, hinge, (hinge[0], m.top_m), loads, pulls, pushes)
+    top, thrusts = (hinge[0], m.top_m), family.thrusting(foot_m)
+    found = toppling(plain.name, masses, hinge, top, loads, pulls, pushes, thrusts)
     return plain._replace(mechanism=found, **given)
 
 
@@ -240,7 +241,8 @@ def part_width(family, foot_m, ends):
     top = m.top_m if m.gable_m <= NEAR_M else max(top, m.height_m)
     given = [(w, y, z) for w, _, y, z in rows]
     name = named(PART_WIDTH, foot_m=foot_m, left_m=left, right_m=right)
-    found = toppling(name, given, hinge, (hinge[0], top), loads, pulls, pushes)
+    thrusts = [(share * force, z) for force, z in family.thrusting(foot_m)]
+    found = toppling(name, given, hinge, (hinge[0], top), loads, pulls, pushes, thrusts)
     return family.between(found, foot_m, m.height_m, PART_WIDTH, ends)
 
 
@@ -298,7 +300,8 @@ def horizontal(family, foot_m, top_m, places):
     """
     m, inset = family.masonry, family.settings["hinge_inset_m"]
     back, front = m.faces(0.5 * (foot_m + top_m))
-    wedge = Wedge(*places, foot_m, top_m, front - inset, back + inset)
+    left, middle, right = places
+    wedge = Wedge(left, middle, right, foot_m, top_m, front - inset, back + inset)
     cuts = np.linspace(foot_m, top_m, STRIPS + 1).tolist()
     masses = region.masses(m, foot_m, m.top_m, lambda z: (wedge.ends(z)[0], places[1]), cuts)
     masses += region.masses(m, foot_m, m.top_m, lambda z: (places[1], wedge.ends(z)[1]), cuts)
@@ -343,7 +346,11 @@ def _passed(family, wedge):
                 force = pull.force_n * (x1 - x0) / width
                 row = force, 0.5 * (x0 + x1), pull.height_m, pull.slack_m, pull.reach_m
                 found.append(row)
-    return [row for row in found if row[0] > 0.0]
+    for force, z in family.thrusting(wedge.foot_m):  # by width too, outward
+        a, b = wedge.ends(z)
+        for x0, x1 in ((a, wedge.middle_m), (wedge.middle_m, b)):
+            found.append((-force * (x1 - x0) / width, 0.5 * (x0 + x1), z, 0.0, math.inf))
+    return [row for row in found if row[0]]
 
 
 def horizontals(family):
@@ -365,5 +372,5 @@ def horizontals(family):
         rows = [(measure(least[1], share), least[1], share) for share in MIDDLES]
         best = _follow(measure, min(rows), sorted(feet), sorted(MIDDLES), last)
         found.append((best[0], site(best[1], best[2])))
-    least = min(found, key=lambda row: row[0], default=(math.inf, None))
-    return [least[1]] if math.isfinite(least[0]) else []
+    finite = [row for row in found if math.isfinite(row[0])]
+    return [min(finite, key=lambda row: row[0])[1]] if finite else []

@@ -8,6 +8,7 @@ from rocking.configuration.schema import ConfigError, show
 from rocking.configuration.static_stability import WEAKEST, check_static_stability
 from yade_scripts.model import interlocking, registry
 from yade_scripts.model.base import STUDY, course_tops
+from yade_scripts.model.holds import rod
 from yade_scripts.model.shape import OWN_KEYS, TRIANGLE, Shape, is_plain, shape_of
 from yade_scripts.model.wall_motion import building_height
 
@@ -105,7 +106,8 @@ def check_bars(resolved: Mapping) -> None:
     """Refuse ties and floors that nothing carries, that snap early or that hold nothing."""
     facade = resolved["facade"]
     several = [name for name in resolved["models"] if not registry.model(name).single_block]
-    rows = [(key, *row) for key in ("ties", "floors") for row in enumerate(facade[key], 1)]
+    keys = ("ties", "floors", "thrusts")
+    rows = [(key, *row) for key in keys for row in enumerate(facade[key], 1)]
     for key, number, row in rows:
         where = f"facade.{key}[{number}]"
         if row["height_m"] > facade["height_m"]:
@@ -127,9 +129,26 @@ def check_bars(resolved: Mapping) -> None:
                 f"{where}.elongation = {show(row['elongation'])}: expected at least the strain at "
                 f"yield, yield_mpa/e_mpa = {show(row['yield_mpa'] / row['e_mpa'])}"
             )
+        if key == "ties":
+            _check_pretension(where, row)
         if key == "floors":
             _check_floor(where, row, shape_of({**facade, "hinges_m": ()}))
             _check_bearing(where, row, resolved)
+
+
+def _check_pretension(where: str, row: Mapping) -> None:
+    """Refuse a rod that is slack and pulls, or that pulls more than it holds."""
+    force, count = row["pretension_kn"], row["count"]
+    if force and row["slack_mm"]:
+        raise ConfigError(
+            f"{where}.slack_mm = {show(row['slack_mm'])}: expected 0 (mm) with pretension_kn = "
+            f"{show(force)}"
+        )
+    if (most := 1e-3 * rod(row)[1] / count) < force:
+        raise ConfigError(
+            f"{where}.pretension_kn = {show(force)}: expected at most what rod and anchor hold, "
+            f"{most:.4g} (kN)"
+        )
 
 
 def _check_floor(where: str, row: Mapping, shape: Shape) -> None:
@@ -139,7 +158,12 @@ def _check_floor(where: str, row: Mapping, shape: Shape) -> None:
             f"{where}.arm_m = {show(row['arm_m'])}: expected at most the thickness at that height, "
             f"{show(front - back)} (m)"
         )
-    if row["load_kn"] == row["anchor_kn"] == 0.0:
+    if row["joists"] == "along" and row["load_kn"]:
+        raise ConfigError(
+            f"{where}.load_kn = {show(row['load_kn'])}: expected 0 (kN) with joists = along, which "
+            "bear on the return walls"
+        )
+    if row["load_kn"] == row["anchor_kn"] == 0.0 and row["joists"] != "along":
         raise ConfigError(f"{where}.load_kn = 0: expected a load, or an anchor_kn (kN) above 0")
     least = row["anchor_kn"] / row["stiffness_kn_m"]
     if row["anchor_reach_m"] < least and not row["mass_t"]:

@@ -115,14 +115,14 @@ def _pulls(rows, move, low, high):
     return tuple(found)
 
 
-def bending(name, lower, upper, base, joint, top, loads=(), held=(), pulls=()):
+def bending(name, lower, upper, base, joint, top, loads=(), held=(), pulls=(), thrusts=()):
     """Two blocks between held levels: vertical bending.
 
     The lower block turns outward about `base`, the upper one back about `joint`, the inner edge of
     the opening between them; `top`, where it is held, moves vertically only, all (y, z). What bears
     there lifts and does not move sideways. Masses of both blocks, loads that move with the block
     they stand on, and what is held and bears on the upper one are (weight_n, y_m, z_m); pulls are
-    `Held`.
+    `Held`, thrusts as of `thrusting`.
     """
     first = turning(joint, base)
     dy, dz = top[0] - joint[0], top[1] - joint[1]
@@ -155,7 +155,7 @@ def bending(name, lower, upper, base, joint, top, loads=(), held=(), pulls=()):
     low, high = ([row for row in loads if (row[2] > joint[1]) is up] for up in (False, True))
     lumped = (*_lump([*lower, *low], below), *_lump([*upper, *high], above))
     lumped += _lump(held, lambda point: _part(above(point), 1))
-    own = _pulls(pulls, move, base, top)
+    own = _pulls(pulls, move, base, top) + thrusting(thrusts, move, base[0])
     return Mechanism(name, tuple(weights), first, own, largest, pieces, lumped=lumped)
 
 
