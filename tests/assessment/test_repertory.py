@@ -4,17 +4,21 @@ import math
 
 import numpy as np
 import pytest
+from rocking import Case
 from rocking.assessment import byhand, region
 from rocking.assessment.code_checks import code_checks, family_of, governing, least
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.family import Family
 from rocking.assessment.masonry import Masonry
 from rocking.assessment.names import KINDS, NAMES, SENTENCES, kind_of, not_asked
-from rocking.assessment.repertory import compound, horizontal, lines, part_width, supports
+from rocking.assessment.partial_width import _screened, lines, part_width
+from rocking.assessment.repertory import compound, horizontal, supports
 from rocking.assessment.sites import site_of
 from rocking.configuration import config
 from rocking.mechanics.hanging import Wedge
 from rocking.mechanics.mechanism import rate
+
+from yade_scripts.model.shape import shape_of
 
 GAMMA = 1800.0 * 9.81
 PLAIN = {"height_m": 6.0, "thickness_m": 0.5, "width_m": 5.0, "density_kg_m3": 1800.0}
@@ -268,3 +272,43 @@ def test_new_mechanisms_are_ranked_and_checked_like_the_others():
     for pga_g, one, found in ranked:
         assert pga_g == least(code_checks(one, settings, DEMAND))
         assert found["slv_height"].failing_pga_g >= pga_g
+
+
+def test_a_cornice_takes_from_what_rights_the_wall():
+    """0.4 × 0.3 m before the top of 6 × 0.5 m: W_c's arm is −0.2 m, its height 5.85 m.
+
+    The block of the models has the same lever, and a corner carries its own part.
+    """
+    facade = {**PLAIN, "cornices": [{"z_m": 5.7, "height_m": 0.3, "projection_m": 0.4}]}
+    settings = resolved(facade)
+    known, w, c = Family(settings), GAMMA * 5.0 * 3.0, GAMMA * 5.0 * 0.12
+    alpha = (0.25 * w - 0.2 * c) / (3.0 * w + 5.85 * c)
+    assert known.part(0.0, "whole").mechanism.multiplier() == pytest.approx(alpha, rel=1e-12)
+    assert shape_of(settings["facade"]).static_multiplier == pytest.approx(alpha, rel=1e-12)
+    assert 5.7 in known.feet()
+    part = part_width(known, 0.0, (-1.0, 1.0)).mechanism.multiplier()
+    assert part == pytest.approx(alpha, rel=1e-12)
+    bare = family().corner(1, 0.0).mechanism.multiplier()
+    assert known.corner(1, 0.0).mechanism.multiplier() < bare
+    above = Case.configured("W1", {"facade": facade}).part(3.0)["facade"]
+    assert above["cornices"] == [{"z_m": 2.7, "height_m": 0.3, "projection_m": 0.4}]
+
+
+def test_a_leaning_wall_has_turned_already():
+    """tan(θ0 − φ), and d0 = h (sin θ0 − sin φ): 6 × 0.5 m that leans by 1°."""
+    lean, theta0 = math.radians(1.0), math.atan(0.5 / 6.0)
+    found = family({**PLAIN, "tilt_deg": 1.0}).part(0.0, "whole").mechanism
+    assert found.multiplier() == pytest.approx(math.tan(theta0 - lean), rel=1e-9)
+    assert found.ultimate()[1] == pytest.approx(6.0 * (math.sin(theta0) - math.sin(lean)), rel=1e-9)
+    above = family({**PLAIN, "tilt_deg": 1.0}).part(3.0, "above").mechanism
+    assert above.multiplier() == pytest.approx(math.tan(math.atan(0.5 / 3.0) - lean), rel=1e-9)
+
+
+@pytest.mark.parametrize("own", [{}, BRICKS])
+def test_pairs_of_lines_are_chosen_by_the_multiplier_of_their_mechanism(own):
+    """What columns between lines sum to is α0 of the mechanism, loads, rods and cracks with it."""
+    known = family({**SHAPED, "thrusts": [{"height_m": 4.0, "force_kn": 3.0}]}, **own)
+    rows = [row for foot in (0.0, 3.0) for row in ((foot, *r) for r in _screened(known, foot))]
+    assert len(rows) > 10
+    for foot, alpha, _, ends in rows:
+        assert part_width(known, foot, ends).mechanism.multiplier() == pytest.approx(alpha)

@@ -60,6 +60,7 @@ def part_of(section, foot_m, held_m=None, hinge_m=None, wedge=None):
             if foot_m + NEAR_M < row["z_m"] < top - NEAR_M
         ],
         "openings": _openings(section["openings"], foot_m, top),
+        "cornices": _openings(section.get("cornices", ()), foot_m, top),
         "ties": _rows(section["ties"], foot_m, top),
         "thrusts": _rows(section.get("thrusts", ()), foot_m, top),
         "floors": floors,
@@ -121,6 +122,7 @@ def _above_the_walls(section, shape, foot_m):
         "openings": [],
         "ties": [],
         "thrusts": [],
+        "cornices": [],
         "floors": [],
     }
 
@@ -140,7 +142,7 @@ def _rows(rows, foot_m, top_m):
 
 
 def _openings(rows, foot_m, top_m):
-    """Openings between two heights; of those that either cuts, what lies between."""
+    """Openings, or cornices, between two heights; of those that either cuts, what lies between."""
     found = []
     for row in rows:
         low, high = max(row["z_m"], foot_m), min(row["z_m"] + row["height_m"], top_m)
@@ -157,6 +159,10 @@ def _load(section, shape, held_m, height_m):
         for x0, x1, s, e in shape.openings:
             area -= (x1 - x0) * max(min(e, z1) - max(s, z0, held_m), 0.0)
         mass = section["density_kg_m3"] * area * (y1 - y0)
+        weight, moment = weight + mass, moment + 0.5 * mass * (y0 + y1)
+    for z0, z1, y0, y1 in shape.cornices:
+        mass = section["density_kg_m3"] * max(z1 - max(z0, held_m), 0.0) * section["width_m"]
+        mass *= y1 - y0
         weight, moment = weight + mass, moment + 0.5 * mass * (y0 + y1)
     if gable := section["gable_height_m"]:
         y0, y1 = shape.storeys[-1][2:]

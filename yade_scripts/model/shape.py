@@ -12,6 +12,8 @@ exactly. With b_g from the centroid out to the toe and z_g down to the base, it 
 static multiplier λ = b_g/z_g on, and its weight line passes the toe when its top, H above the base,
 has moved by H b_g/z_g: that is the b of d/b, and b itself for a plain façade.
 
+Cornices are boxes before the outer face (`cornices`): mass that leans out, without a contact.
+
 A wedge of the return walls (`wedge_deg`, `wedge_thickness_m` of all together) goes along with the
 façade: between its back face and a crack that leaves it at the base and climbs at that angle from
 the vertical, up to what the return walls hold. About x, the axis that it turns about, its moments
@@ -34,6 +36,7 @@ from yade_scripts.model.scene import box_inertia
 
 SLIVER_M = 1e-9
 OWN_KEYS = ("thickness_steps", "openings", "gable_height_m", "parapet_height_m", "wedge_deg")
+OWN_KEYS += ("cornices",)
 TRIANGLE = "triangle"  # outline of a gable by itself
 
 
@@ -60,6 +63,7 @@ class Shape:
     openings: tuple
     parts: tuple
     hinges_m: tuple = ()
+    cornices: tuple = ()  # (z0, z1, y0, y1)
     slope: float = 0.0  # of a wedge's crack: how far back it reaches over its height
 
     def piece_at(self, height_m):
@@ -216,6 +220,8 @@ def shape_of(facade):
     if gable:
         parts.append(_prism(density, width, storeys[-1][2:], h, gable))
     parts += _wedge(facade, storeys)
+    cornices = _cornices(facade, storeys)
+    parts += [_box(density, (-0.5 * width, 0.5 * width), c[2:], c[:2]) for c in cornices]
     mass, centre, tensor = _total(parts)
     top = h + gable + parapet
     found = Shape(
@@ -230,10 +236,11 @@ def shape_of(facade):
         openings,
         tuple(parts),
         _hinges(facade),
+        cornices,
         slope_of(facade),
     )
     if not 0.0 < found.centre_m[1] < b:
-        key = "wedge_deg" if found.slope else "thickness_steps"
+        key = "cornices" if cornices else "wedge_deg" if found.slope else "thickness_steps"
         raise ValueError(
             f"facade.{key}: the weight falls {found.centre_m[1]:.3g} m from the back of "
             f"the base; expected between 0 and facade.thickness_m = {b:g} (m)"
@@ -261,6 +268,23 @@ def _prism(density, width_m, faces, foot_m, height_m):
     own += np.array([height_m**2 / 18, height_m**2 / 18, t**2 / 12])
     centre = np.array([0.0, 0.5 * (y0 + y1), foot_m + height_m / 3.0])
     return mass, centre, np.diag(mass * own), (width_m, t, height_m)
+
+
+def _cornices(facade, storeys):
+    """(z0, z1, y0, y1) of cornices, cut where the outer face steps; all below the eaves."""
+    found, h = [], facade["height_m"]
+    for number, row in enumerate(facade.get("cornices", ()), 1):
+        low, high = row["z_m"], row["z_m"] + row["height_m"]
+        if high > h + SLIVER_M:
+            raise ValueError(
+                f"facade.cornices[{number}].height_m = {row['height_m']:g}: expected a top, z_m + "
+                f"height_m, of at most facade.height_m = {h:g} (m)"
+            )
+        for z0, z1, _, y in storeys:
+            a, b = max(z0, low), min(z1, high)
+            if b - a > SLIVER_M:
+                found.append((a, b, y, y + row["projection_m"]))
+    return tuple(found)
 
 
 def slope_of(facade):

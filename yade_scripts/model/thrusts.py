@@ -1,10 +1,10 @@
 """Static thrusts of roofs and vaults on a façade: horizontal, outward, constant.
 
-A thrust F acts on the middle of the thickness at its height and does not grow with the shaking. What
-pushes stands between the façade and the return wall behind it, which it pushes back by as much. In
-a scene it is a tie to a point FAR_M outward that is stretched by PRESTRETCH_M from the start, with
-the stiffness F/PRESTRETCH_M: as its point moves outward by u it loses u/PRESTRETCH_M of F, a
-thousandth at 0.5 m.
+A thrust F acts on the middle of the thickness at its height and does not grow with the shaking.
+What pushes stands between the façade and the return wall behind it, which it pushes back by as
+much. In a scene it is a tie to a point FAR_M outward that is stretched by PRESTRETCH_M from the
+start, with the stiffness F/PRESTRETCH_M: as its point moves outward by u it loses u/PRESTRETCH_M of
+F, a thousandth at 0.5 m.
 
 At rest F takes F z/W from the arm of the weight (`leaning`), so that the façade starts where the
 base carries both.
@@ -18,7 +18,7 @@ ENDS = 2.0  # of the prestretch: never reached, neither by force nor by lengthen
 
 
 def thrust_ties(rows, walls, blocks, shape):
-    """Ties that stand for thrusts, entries of facade.thrusts; arguments as of `ties.facade_ties`."""
+    """Ties that stand for thrusts, rows of facade.thrusts; arguments as of `ties.facade_ties`."""
     found = []
     for number, row in enumerate(rows, 1):
         force, z = 1e3 * row["force_kn"], row["height_m"]

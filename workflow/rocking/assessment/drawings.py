@@ -124,6 +124,12 @@ def _section(axis, family, candidate, scale):
     m, section = family.masonry, family.section
     for z0, z1, y0, y1 in m.shape.storeys:
         axis.add_patch(Rectangle((y0, z0), y1 - y0, z1 - z0, fc="0.75", ec="0", lw=0.9))
+    for z0, z1, y0, y1 in m.shape.cornices:
+        axis.add_patch(Rectangle((y0, z0), y1 - y0, z1 - z0, fc="0.75", ec="0", lw=0.7))
+    for _, z in family.thrusts:
+        away = {"arrowstyle": "->", "lw": 1.0, "color": "0"}
+        y = m.faces(z)[1]
+        axis.annotate("", (y + 7 * scale, z), (y, z), arrowprops=away)
     if m.gable_m > 1e-9:
         y0, y1 = m.shape.storeys[-1][2:]
         axis.add_patch(Rectangle((y0, m.height_m), y1 - y0, m.gable_m, fc="0.9", ec="0", lw=0.7))
@@ -151,6 +157,8 @@ def _section(axis, family, candidate, scale):
         axis.plot([-depth, middle], [z, z], color="0.2", lw=0.9, ls="--")
         anchor = f", anchors {row['anchor_kn']:g} kN" if row["anchor_kn"] else ""
         held[z] = f"{held.get(z, '')} floor {row['load_kn']:g} kN{anchor}"
+    for force, z in family.thrusts:
+        held[z] = f"{held.get(z, '')} thrust {1e-3 * force:.3g} kN"
     values = sorted(held)
     span = ground, max(top, ground + 3.0 * scale)
     for z, place in zip(values, spread(values, 3.2 * scale, *span), strict=True):

@@ -29,7 +29,7 @@ from rocking.assessment.masonry import Masonry
 from rocking.assessment.sites import CORNERS, LEAST_PART_M, WHOLE_PART
 from rocking.mechanics.blocks import Held, bending, interlocking, toppling
 from rocking.mechanics.closed_forms import Interlocked
-from rocking.mechanics.mechanism import WHOLE, Mechanism
+from rocking.mechanics.mechanism import WHOLE, Mechanism, turning
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.holds import FRICTION, holds
 
@@ -45,7 +45,7 @@ def stretched(section, factor):
     found = {**section, "height_m": factor * section["height_m"]}
     for key in ("gable_height_m", "parapet_height_m"):
         found[key] = factor * section[key]
-    for rows in ("floors", "ties", "thrusts", "openings", "thickness_steps"):
+    for rows in ("floors", "ties", "thrusts", "openings", "cornices", "thickness_steps"):
         found[rows] = [
             {k: factor * v if k in ("height_m", "z_m") else v for k, v in row.items()}
             for row in section[rows]
@@ -124,6 +124,7 @@ class Family:
                 f"assessment.hinge_inset_m = {inset:g}: expected 0 to half of "
                 f"facade.thickness_m = {section['thickness_m']:g} (m)"
             )
+        self.lean_rad = math.radians(section["tilt_deg"])
         self.pulls = pulls_of(section, added_n)
         self.loads = self._loads()
         self.thrusts = [(1e3 * row["force_kn"], row["height_m"]) for row in section["thrusts"]]
@@ -162,7 +163,9 @@ class Family:
         loads = [row for row in self.loads if row[2] >= foot_m + (NEAR_M if foot_m else 0.0)]
         pushes = [row for row in self.pushes if row[1] > foot_m + NEAR_M]
         masses, thrusts = m.masses(foot_m, m.top_m), self.thrusting(foot_m)
-        found = toppling(name, masses, hinge, (hinge[0], m.top_m), loads, pulls, pushes, thrusts)
+        top = hinge[0], m.top_m
+        given = name, masses, hinge, top, loads, pulls, pushes, thrusts
+        found = toppling(*given, lean_rad=self.lean_rad)
         free = foot_m >= self.height_m - NEAR_M  # above all that the return walls hold
         stated = self.settings["height_ratio"]
         place = self._place(foot_m, max(self.height_m, foot_m))
@@ -263,16 +266,26 @@ class Family:
             above += m.masses(high_m, m.top_m)
         return bending(
             "vertical bending",
-            m.masses(low_m, hinge_m),
-            m.masses(hinge_m, high_m),
-            (self._edge(low_m, inset), low_m),
-            joint,
-            (outer, high_m),
-            between,
-            above,
+            self._leaned(m.masses(low_m, hinge_m)),
+            self._leaned(m.masses(hinge_m, high_m)),
+            self._leaned_point((self._edge(low_m, inset), low_m)),
+            self._leaned_point(joint),
+            self._leaned_point((outer, high_m)),
+            self._leaned(between),
+            self._leaned(above),
             [p for p in self.pulls if low_m + NEAR_M < p.height_m < high_m - NEAR_M],
             self.thrusting(low_m, high_m),
         )
+
+    def _leaned_point(self, point):
+        """A point (y, z) of a wall that leans, turned about its outer edge at the base."""
+        if not self.lean_rad:
+            return point
+        edge = self.masonry.faces(0.0)[1]
+        return tuple(v.real for v in turning(point, (edge, 0.0))(self.lean_rad))
+
+    def _leaned(self, masses):
+        return [(w, *self._leaned_point((y, z))) for w, y, z in masses]
 
     def corner(self, side, foot_m=None):
         """A corner that turns about the bisector's normal through its outer edge.

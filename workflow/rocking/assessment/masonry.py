@@ -30,6 +30,7 @@ class Masonry:
         storeys, openings = self.shape.storeys, self.shape.openings
         edges = {0.0, self.height_m, self.top_m, *(z for s in storeys for z in s[:2])}
         edges |= {z for o in openings for z in o[2:]}
+        edges |= {z for c in self.shape.cornices for z in c[:2]}
         self.edges_m = sorted(edges)
         self.gable_m = self.top_m - max(s[1] for s in storeys)
 
@@ -50,6 +51,10 @@ class Masonry:
                 found -= max(0.0, min(x1, half) - max(x0, -half))
         return max(found, 0.0)
 
+    def projecting(self, height_m):
+        """Cornices at a height: (y0, y1)."""
+        return [(y0, y1) for z0, z1, y0, y1 in self.shape.cornices if z0 < height_m < z1]
+
     def masses(self, low_m, high_m):
         """Weights between two heights: (weight_n, y_m, z_m), two an interval of `edges_m`."""
         cuts = [low_m, *(z for z in self.edges_m if low_m < z < high_m), high_m]
@@ -59,6 +64,9 @@ class Masonry:
             for z in gauss(a, b):
                 weight = 0.5 * (b - a) * self.width(z) * (front - back) * self.unit_weight
                 found.append((weight, 0.5 * (back + front), z))
+                for y0, y1 in self.projecting(z):
+                    weight = 0.5 * (b - a) * self.width_m * (y1 - y0) * self.unit_weight
+                    found.append((weight, 0.5 * (y0 + y1), z))
         return [row for row in found if row[0] > 0.0]
 
     @property
@@ -97,4 +105,7 @@ class Masonry:
             weight = wide * height * (front - back) * self.unit_weight
             if weight > 0.0:
                 found.append((weight, first / wide, 0.5 * (back + front), z))
+            for y0, y1 in self.projecting(z) if reach > 0.0 else ():
+                weight = reach * height * (y1 - y0) * self.unit_weight
+                found.append((weight, 0.5 * reach, 0.5 * (y0 + y1), z))
         return found

@@ -47,12 +47,18 @@ def _spans(masonry, z, left, right):
 
 
 def masses(masonry, low_m, high_m, ends, cuts=()):
-    """Weights of `strips`: (weight_n, x_m, y_m, z_m), two Gauss points a span."""
+    """Weights of `strips`: (weight_n, x_m, y_m, z_m), two Gauss points a span.
+
+    Cornices count before masonry; where an opening is behind one it is left out.
+    """
     found = []
     for z, height, x0, x1 in strips(masonry, low_m, high_m, ends, cuts):
         back, front = masonry.faces(z)
         weight = 0.5 * (x1 - x0) * height * (front - back) * masonry.unit_weight
         found += [(weight, x, 0.5 * (back + front), z) for x in gauss(x0, x1)]
+        for y0, y1 in masonry.projecting(z):
+            weight = 0.5 * (x1 - x0) * height * (y1 - y0) * masonry.unit_weight
+            found += [(weight, x, 0.5 * (y0 + y1), z) for x in gauss(x0, x1)]
     return found
 
 
@@ -69,9 +75,6 @@ def on_crack(masonry, x_m, low_m, high_m):
     return found
 
 
-def is_whole(masonry, low_m, high_m, ends):
-    """Whether at every height at least half of what lies between two ends is masonry."""
-    edges = sorted({low_m, high_m, *(z for z in masonry.edges_m if low_m < z < high_m)})
-    middles = [0.5 * (a + b) for a, b in itertools.pairwise(edges)]
-    spans = [_spans(masonry, z, *ends) for z in middles]
-    return all(sum(b - a for a, b in own) >= 0.5 * (ends[1] - ends[0]) for own in spans)
+def length(masonry, height_m, ends):
+    """Length of masonry between two ends at a height [m]."""
+    return sum(b - a for a, b in _spans(masonry, height_m, *ends))

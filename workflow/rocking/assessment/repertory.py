@@ -13,11 +13,7 @@ units' own steps no bed joint rubs), with F(0) of C8.7.1.2: then some angle betw
 *Horizontal bending* is `hanging.hanging`: between neighbouring rods of a row of ties, and between
 return walls where courses are interlocked with them.
 
-*Part-width overturning* takes what lies above a foot between two vertical lines: ends of the
-façade, edges of openings, rods. At least half of it is masonry at every height, and it is no
-narrower than it is thick. A rod on such a line does not hold it. In a crack through masonry
-whose courses are stated, their friction holds as in C8.7.1.2 with the façade's own thickness, less
-what openings take of the crack; else nothing does, which is on the safe side.
+*Part-width overturning* is in `partial_width`.
 """
 
 import itertools
@@ -27,8 +23,9 @@ import numpy as np
 
 from rocking.assessment import region
 from rocking.assessment.names import COMPOUND, HORIZONTAL, PART_WIDTH, named
+from rocking.assessment.partial_width import part_width, widths
 from rocking.assessment.sites import LEAST_PART_M, Site
-from rocking.mechanics.blocks import Held, toppling
+from rocking.mechanics.blocks import toppling
 from rocking.mechanics.hanging import Wedge, hanging
 from yade_scripts.model.return_walls import wall_strips
 from yade_scripts.model.ties import rods_at
@@ -37,9 +34,8 @@ NEAR_M = 1e-6
 NEAR_M_FOOT = 0.05  # to which a foot is found
 ANGLES = 7  # samples of a crack's angle
 FEET = 8  # samples of a foot, beside the heights at which the façade changes
-MIDDLES = (0.5, 0.35, 0.65)  # of a span: where it opens
+MIDDLES = (0.1, 0.5, 0.9)  # of a span: where it opens
 STRIPS = 16  # of a wedge, whose cracks cross openings anywhere
-BEST = 2  # pairs of lines a foot, of the least α0, that are followed
 STEEPEST_DEG = 60.0
 VERTICAL_DEG = 0.05  # what is no slanting crack
 AT_BASE = f"{COMPOUND}_at_base"
@@ -94,9 +90,9 @@ def compound(family, foot_m, crack_deg):
     """
     plain = family.part(foot_m, named(COMPOUND, foot_m=foot_m, crack_deg=crack_deg))
     wedge = wedge_masses(family, foot_m, crack_deg)
-    given = {"crack_deg": float(crack_deg), "part": COMPOUND}
+    about = {"crack_deg": float(crack_deg), "part": COMPOUND}
     if not wedge:
-        return plain._replace(**given)
+        return plain._replace(**about)
     hinge = (family._edge(foot_m, family.settings["hinge_inset_m"]), foot_m)
     m, steps = family.masonry, steepest_deg(family)
     pulls = [p for p in family.pulls if p.height_m > foot_m + NEAR_M]
@@ -109,8 +105,9 @@ def compound(family, foot_m, crack_deg):
     pushes = [row for row in family.pushes if row[1] > foot_m + NEAR_M]
     masses = m.masses(foot_m, m.top_m) + wedge
     top, thrusts = (hinge[0], m.top_m), family.thrusting(foot_m)
-    found = toppling(plain.name, masses, hinge, top, loads, pulls, pushes, thrusts)
-    return plain._replace(mechanism=found, **given)
+    given = plain.name, masses, hinge, top, loads, pulls, pushes, thrusts
+    found = toppling(*given, lean_rad=family.lean_rad)
+    return plain._replace(mechanism=found, **about)
 
 
 def compounds(family):
@@ -171,108 +168,6 @@ def _follow(measure, best, firsts, seconds, last):
                 )
                 best = min(best, (measure(*place), *place))
     return best
-
-
-def lines(family):
-    """Places along the façade between which a part of its width may turn, from left to right."""
-    half = 0.5 * family.masonry.width_m
-    found = {-half, half}
-    found |= {x for x0, x1, *_ in family.masonry.shape.openings for x in (x0, x1)}
-    for row in family.section["ties"]:
-        found |= set(rods_at(row, family.masonry.width_m))
-    return sorted({round(x, 6) for x in found})
-
-
-def within(family, left_m, right_m):
-    """What holds between two lines, as `Held`: rods strictly inside, anchors of floors by width.
-
-    Rows of a family that the configuration does not state, as one added for a trial, count by
-    width.
-    """
-    section, width = family.section, family.masonry.width_m
-    share, found = (right_m - left_m) / width, []
-    shares = [
-        sum(left_m + NEAR_M < x < right_m - NEAR_M for x in rods_at(row, width)) / row["count"]
-        for row in section["ties"]
-    ]
-    shares += [share] * (len(family.pulls) - len(shares))
-    for pull, part in zip(family.pulls, shares, strict=True):  # in the order of `holds`: ties first
-        if part > 0.0:
-            found.append(pull._replace(force_n=part * pull.force_n))
-    return found
-
-
-def _cracks(family, foot_m, ends):
-    """Friction of interlocked courses on the sides of a part of the width, as `Held` that fade."""
-    own, m, found = family.settings, family.masonry, []
-    course, overlap = own["interlocking_course_m"], own["interlocking_overlap_m"]
-    if not course:
-        return []
-    walls = wall_strips(m.width_m, family.wall) if family.wall["count"] else []
-    inside = sum(ends[0] <= 0.5 * (a + b) <= ends[1] for a, b in walls)
-    if inside:
-        held = family._interlocked(foot_m)
-        found.append(held._replace(force_n=held.force_n * inside / len(walls)))
-    tall = m.height_m - foot_m
-    rough = 0.8 * own["interlocking_friction"] * overlap / course * m.unit_weight
-    rough *= 1.0 + course / tall
-    for x in ends:
-        if abs(x) < 0.5 * m.width_m - NEAR_M:
-            for z, height in region.on_crack(m, x, foot_m, m.height_m):
-                back, front = m.faces(z)
-                force = rough * (front - back) * (m.height_m - z) * height
-                found.append(Held(force, z, overlap, True))
-    return found
-
-
-def part_width(family, foot_m, ends):
-    """Overturning of what lies above a foot between two vertical lines, see above."""
-    m, (left, right) = family.masonry, ends
-    hinge = (family._edge(foot_m, family.settings["hinge_inset_m"]), foot_m)
-    rows = region.masses(m, foot_m, m.top_m, ends)
-    share = (right - left) / m.width_m
-    loads = [
-        (share * w, y, z) for w, y, z in family.loads if z >= foot_m + (NEAR_M if foot_m else 0.0)
-    ]
-    pushes = [(share * w, z) for w, z in family.pushes if z > foot_m + NEAR_M]
-    pulls = [p for p in within(family, left, right) if p.height_m > foot_m + NEAR_M]
-    pulls += _cracks(family, foot_m, ends)
-    top = max(z for *_, z in rows)
-    top = m.top_m if m.gable_m <= NEAR_M else max(top, m.height_m)
-    given = [(w, y, z) for w, _, y, z in rows]
-    name = named(PART_WIDTH, foot_m=foot_m, left_m=left, right_m=right)
-    thrusts = [(share * force, z) for force, z in family.thrusting(foot_m)]
-    found = toppling(name, given, hinge, (hinge[0], top), loads, pulls, pushes, thrusts)
-    return family.between(found, foot_m, m.height_m, PART_WIDTH, ends)
-
-
-def widths(family):
-    """Part-width overturning, the weakest; none without lines within the façade.
-
-    Of every foot those pairs of lines are followed that have the least α0.
-    """
-    every, half = lines(family), 0.5 * family.masonry.width_m
-    wide = family.section["thickness_m"]
-    pairs = [
-        (a, b)
-        for a, b in itertools.combinations(every, 2)
-        if b - a >= wide and (a, b) != (-round(half, 6), round(half, 6))
-    ]
-    last, rows = family.height_m - LEAST_PART_M, []
-    for foot in (z for z in family.feet() if z < last):
-        own = []
-        for pair in pairs:
-            if not region.is_whole(family.masonry, foot, family.height_m, pair):
-                continue
-            one = part_width(family, foot, pair)
-            alpha = one.mechanism.multiplier()
-            own.append((alpha if alpha > 0.0 else 0.0, foot, pair))
-        rows += sorted(own)[:BEST]
-    found = [
-        (family.measure(site), site)
-        for site in (Site(PART_WIDTH, z, left_m=a, right_m=b) for _, z, (a, b) in rows)
-    ]
-    return [min(found, key=lambda row: row[0])[1]] if found else []
 
 
 def supports(family):
@@ -368,8 +263,7 @@ def horizontals(family):
         if last <= 0.0:
             continue
         measure = _remembered(family, site)
-        least = min((measure(z, MIDDLES[0]), z, MIDDLES[0]) for z in feet)
-        rows = [(measure(least[1], share), least[1], share) for share in MIDDLES]
+        rows = [(measure(z, share), z, share) for z in feet for share in MIDDLES]
         best = _follow(measure, min(rows), sorted(feet), sorted(MIDDLES), last)
         found.append((best[0], site(best[1], best[2])))
     finite = [row for row in found if math.isfinite(row[0])]

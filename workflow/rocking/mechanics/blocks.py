@@ -72,15 +72,19 @@ def thrusting(rows, move, y_m):
     return tuple(Pull(-force, move((y_m, z))) for force, z in rows if force)
 
 
-def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=(), thrusts=()):
+def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=(), thrusts=(), *, lean_rad=0.0):
     """One rigid block that turns outward about a hinge (y, z); its control point is `top`.
 
     Masses and loads, what it carries, are (weight_n, y_m, z_m); pulls are `Held`; pushes (weight_n,
     height_m) are masses that push horizontally and do not bear on it; thrusts see `thrusting`.
+
+    A wall that leans outward by an angle at rest has turned by it already: α(θ) is that of the
+    upright one at θ + lean, tan(θ₀ − lean − θ) of weights alone.
     """
 
     def move(point):
-        return turning(point, hinge)
+        path = turning(point, hinge)
+        return (lambda theta: path(theta + lean_rad)) if lean_rad else path
 
     carried = [*masses, *loads]
     weights = [Weight(w, move((y, z))) for w, y, z in carried if w > 0.0]
