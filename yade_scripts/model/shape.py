@@ -35,8 +35,10 @@ from yade_scripts.model.intervals import without
 from yade_scripts.model.scene import box_inertia
 
 SLIVER_M = 1e-9
-OWN_KEYS = ("thickness_steps", "openings", "gable_height_m", "parapet_height_m", "wedge_deg")
-OWN_KEYS += ("cornices",)
+OWN_KEYS = (
+    *("thickness_steps", "openings", "gable_height_m", "parapet_height_m"),
+    *("wedge_deg", "cornices"),
+)
 TRIANGLE = "triangle"  # outline of a gable by itself
 
 

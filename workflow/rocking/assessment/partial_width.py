@@ -131,7 +131,7 @@ def _screened(family, foot_m):
         w, back, up = rows[:, 0], edge - rows[:, 2], rows[:, 3] - foot_m
         columns.append((w @ back, w @ up, w @ up**2))
         standing.append([region.length(m, z, ends) for z in middles])
-    columns, standing = np.array(columns), np.array(standing)
+    sums, solid = np.array(columns), np.array(standing)
     loads = [row for row in family.loads if row[2] >= foot_m + (NEAR_M if foot_m else 0.0)]
     found: dict[tuple, tuple] = {}
     for i, j in itertools.combinations(range(len(every)), 2):
@@ -139,9 +139,9 @@ def _screened(family, foot_m):
         wide = ends[1] - ends[0]
         if wide < family.section["thickness_m"] or (i, j) == (0, len(every) - 1):
             continue
-        if np.any(standing[i:j].sum(axis=0) < 0.5 * wide):
+        if np.any(solid[i:j].sum(axis=0) < 0.5 * wide):
             continue
-        rights, out, square = columns[i:j].sum(axis=0)
+        rights, out, square = sums[i:j].sum(axis=0)
         per = square / (out * (m.top_m - foot_m))
         for w, y, z in loads:
             load = w * wide / m.width_m
