@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from rocking import Case
-from rocking.assessment import byhand, region
+from rocking.assessment import byhand, region, shaken
 from rocking.assessment.code_checks import code_checks, family_of, governing, least
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.family import Family
@@ -312,3 +312,34 @@ def test_pairs_of_lines_are_chosen_by_the_multiplier_of_their_mechanism(own):
     assert len(rows) > 10
     for foot, alpha, _, ends in rows:
         assert part_width(known, foot, ends).mechanism.multiplier() == pytest.approx(alpha)
+
+
+def test_a_wedge_is_shaken_as_one_block_and_the_others_are_named():
+    """Its case has the wedge's mass, on the column's base where the façade has courses."""
+    given = {**PLAIN, "courses": 4, "ties": [{"height_m": 5.0}]}
+    settings = resolved(given, mechanisms=list(NAMES), **BRICKS)
+    ranked = governing(family_of(settings, DEMAND).all(), settings, DEMAND)
+    own = {"facade": given, "return_wall": WALLS, "damping": {"law": "value", "beta_s": 1e-3}}
+    case = Case.configured("W1", own)
+    table = shaken.chosen(ranked, [case], DEMAND.pga_g, 100.0)
+    by = table.set_index("part")
+    assert by.loc["horizontal", "why_not"] == by.loc["part_width", "why_not"] == shaken.NARROW
+    wedges = [part for part in by.index if part.startswith("compound")]
+    assert wedges
+    cases = {row.part: found for row, found in shaken.cases(case, table)}
+    for part in wedges:
+        row, facade = by.loc[part], cases[part]["facade"]
+        assert (facade["wedge_deg"], facade["wedge_thickness_m"]) == (row["crack_deg"], 0.8)
+        assert (facade["courses"], facade["base"]) == (0, "column")
+        tall = 6.0 - row["foot_m"]
+        volume = tall * (5.0 * 0.5 + 0.4 * tall * math.tan(math.radians(row["crack_deg"])))
+        assert shape_of(facade).mass_kg == pytest.approx(1800.0 * volume, rel=1e-9)
+        again = Family(settings).at(site_of(_row(row, part)))
+        assert again.mechanism.multiplier() == pytest.approx(
+            next(one for _, one, _ in ranked if one.part == part).mechanism.multiplier(), rel=1e-9
+        )
+
+
+def _row(row, part):
+    """Row of a table as its reader has it."""
+    return type("Row", (), {**row.to_dict(), "part": part})

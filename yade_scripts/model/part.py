@@ -183,6 +183,7 @@ def _load(section, shape, held_m, height_m):
 
 
 FLOOR = {  # a dead load that nothing holds
+    "joists": "across",
     "bearing": "point",
     "load_inertia": None,
     "friction": 0.0,

@@ -241,8 +241,9 @@ def shape_of(facade):
         cornices,
         slope_of(facade),
     )
-    if not 0.0 < found.centre_m[1] < b:
-        key = "cornices" if cornices else "wedge_deg" if found.slope else "thickness_steps"
+    low = -math.inf if found.slope else 0.0  # a wedge leans back on its crack
+    if not low < found.centre_m[1] < b:
+        key = "cornices" if cornices else "thickness_steps"
         raise ValueError(
             f"facade.{key}: the weight falls {found.centre_m[1]:.3g} m from the back of "
             f"the base; expected between 0 and facade.thickness_m = {b:g} (m)"

@@ -15,7 +15,8 @@ from yade_scripts.model.shape import shape_of
 
 WEDGES = {  # façade, model, factors on the record at which histories repeat, YADE's step
     "gentle": ({"wedge_deg": 3.0}, "W2", [0.2, 0.3], 0.05),
-    "steep": ({"wedge_deg": 8.0, "thickness_m": 0.6}, "W1", [0.8, 1.0], 0.1),
+    "steep": ({"wedge_deg": 8.0, "thickness_m": 0.6}, "W1", [0.8, 1.0], 0.05),
+    "weight behind its base": ({"wedge_deg": 22.0, "thickness_m": 0.5}, "W2", [1.0, 1.3], 0.1),
     "part on its building": (
         {"wedge_deg": 12.0, "base_height_m": 2.5, "height_m": 4.0, "gable_height_m": 1.0},
         "W2m",
@@ -105,7 +106,7 @@ def test_yade_and_the_compiled_solver(monkeypatch, name):
         ({"courses": 4}, "facade.courses = 4"),
         ({"sides": "two"}, "facade.sides"),
         ({"wedge_thickness_m": None}, "facade.wedge_thickness_m"),
-        ({"wedge_deg": 40.0}, "facade.wedge_deg: the weight falls"),
+        ({"cornices": [{"z_m": 5.0, "height_m": 1.4, "projection_m": 4.0}]}, "facade.cornices"),
     ],
 )
 def test_a_wedge_that_no_model_takes_is_refused_in_one_line(more, words):
