@@ -343,3 +343,30 @@ def test_a_wedge_is_shaken_as_one_block_and_the_others_are_named():
 def _row(row, part):
     """Row of a table as its reader has it."""
     return type("Row", (), {**row.to_dict(), "part": part})
+
+
+@pytest.mark.parametrize("flush", ["outer", "inner"])
+def test_a_wall_that_tapers(flush):
+    """0.6 m to 0.3 m over 6 m, by hand: a rectangle 0.3 × 6 and a triangle 0.3 × 6/2.
+
+    With the outer face vertical the triangle stands behind, its centroid 0.3 + 0.1 m from the toe;
+    with the inner one before, 0.2 m from it.
+    """
+    facade = {**PLAIN, "thickness_m": 0.6, "top_thickness_m": 0.3, "flush_face": flush}
+    settings = resolved(facade)
+    rect, tri = 0.3 * 6.0, 0.5 * 0.3 * 6.0
+    arms = (0.15, 0.3 + 0.1) if flush == "outer" else (0.3 + 0.15, 0.2)  # inward of the toe
+    alpha = (rect * arms[0] + tri * arms[1]) / (rect * 3.0 + tri * 2.0)
+    known = Family(settings)
+    assert known.masonry.weight_n == pytest.approx(GAMMA * 5.0 * 2.7, rel=1e-12)
+    assert known.part(0.0, "whole").mechanism.multiplier() == pytest.approx(alpha, rel=1e-9)
+    own = shape_of(settings["facade"])
+    assert own.static_multiplier == pytest.approx(alpha, rel=3e-3)
+    assert list(known.feet()) == [0.0]  # no height at which it changes
+    above = Case.configured("W1", {"facade": facade}).part(2.0)["facade"]
+    assert (above["thickness_m"], above["top_thickness_m"]) == pytest.approx((0.5, 0.3))
+    sums = known.masonry.masses(2.0, 6.0)
+    part = shape_of(above)
+    assert part.mass_kg * 9.81 == pytest.approx(sum(w for w, *_ in sums), rel=2e-3)
+    with pytest.raises(ValueError, match="top_thickness_m = 0.3: expected null"):
+        resolved({**facade, "thickness_steps": [{"z_m": 3.0, "thickness_m": 0.4}]})

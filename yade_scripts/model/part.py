@@ -12,7 +12,7 @@ What lies above a held level bears on it with its weight, and what holds it ther
 """
 
 from yade_scripts.model.gravity import GRAVITY_M_S2
-from yade_scripts.model.shape import shape_of
+from yade_scripts.model.shape import shape_of, tapered
 
 NEAR_M = 1e-6
 LEVEL_M = 0.3  # what holds no higher above a held level belongs to it, as ties below a floor
@@ -51,9 +51,13 @@ def part_of(section, foot_m, held_m=None, hinge_m=None, wedge=None):
         found |= {"gable_height_m": 0.0, "parapet_height_m": 0.0}
         floors += _load(section, shape, held_m, _place(top - foot_m))
     back, front = shape.faces_at(min(foot_m + NEAR_M, eaves))
+    thickness_m, top_m = front - back, None
+    if section.get("top_thickness_m"):
+        thickness_m, top_m = (_place(tapered(section, z)) for z in (foot_m, top))
     return found | {
         "height_m": _place(top - foot_m),
-        "thickness_m": _place(front - back),
+        "thickness_m": _place(thickness_m),
+        "top_thickness_m": top_m,
         "thickness_steps": [
             {**row, "z_m": _place(row["z_m"] - foot_m)}
             for row in section["thickness_steps"]
@@ -123,6 +127,7 @@ def _above_the_walls(section, shape, foot_m):
         "ties": [],
         "thrusts": [],
         "cornices": [],
+        "top_thickness_m": None,
         "floors": [],
     }
 

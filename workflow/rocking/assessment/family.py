@@ -32,6 +32,7 @@ from rocking.mechanics.closed_forms import Interlocked
 from rocking.mechanics.mechanism import WHOLE, Mechanism, turning
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.holds import FRICTION, holds
+from yade_scripts.model.shape import slices_of
 
 ADDED_REACH_M = 0.2  # of one more row: elongation of a rod of 4 m that snaps at 5 %
 FEET = 10  # heights from which a part may part with interlocked return walls
@@ -205,8 +206,17 @@ class Family:
         rows += [(z0, "sill of an opening") for *_, z0, _ in m.shape.openings]
         rows += [(z1, "head of an opening") for *_, z1 in m.shape.openings]
         above = zip(m.shape.storeys, m.shape.storeys[1:], strict=False)
-        rows += [(up[0], "change of thickness") for low, up in above if low[2:] != up[2:]]
-        every = [*m.edges_m, *(p.height_m for p in self.pulls), *(row[2] for row in self.loads)]
+        slices = slices_of(self.section)  # what tapers changes at no height
+        rows += [
+            (up[0], "change of thickness")
+            for low, up in above
+            if low[2:] != up[2:] and up[0] not in slices
+        ]
+        every = [
+            *(z for z in m.edges_m if z not in slices),
+            *(p.height_m for p in self.pulls),
+            *(row[2] for row in self.loads),
+        ]
         rows += [(z, "change") for z in every]  # whatever it is that has no word above
         if self.settings["interlocking_course_m"]:
             rows += [(self.height_m * k / FEET, "joint of courses") for k in range(1, FEET)]

@@ -9,7 +9,7 @@ import itertools
 
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from rocking.mechanics.mechanism import gauss
-from yade_scripts.model.shape import shape_of
+from yade_scripts.model.shape import shape_of, tapered
 
 STRIPS = 40  # of a wedge, whose edge crosses openings anywhere
 
@@ -23,7 +23,8 @@ class Masonry:
 
     def __init__(self, section):
         """Read the shape."""
-        self.shape = shape_of(section)
+        self.shape, self.section = shape_of(section), section
+        self.tapers = bool(section.get("top_thickness_m"))
         self.unit_weight = section["density_kg_m3"] * GRAVITY_M_S2
         self.width_m = section["width_m"]
         self.height_m, self.top_m = section["height_m"], self.shape.top_m
@@ -36,6 +37,9 @@ class Masonry:
 
     def faces(self, height_m, above=True):
         """Places of back and front face at a height, on one side of a step [m]."""
+        if self.tapers and 0.0 <= height_m <= self.height_m - (1e-6 if above else 0.0):
+            b, t = self.section["thickness_m"], tapered(self.section, height_m)
+            return (b - t, b) if self.section["flush_face"] == "outer" else (0.0, t)
         eps = 1e-6 if above else -1e-6
         last = self.shape.storeys[-1]
         return self.shape.faces_at(min(max(height_m + eps, 0.0), last[1]))
@@ -60,8 +64,8 @@ class Masonry:
         cuts = [low_m, *(z for z in self.edges_m if low_m < z < high_m), high_m]
         found = []
         for a, b in itertools.pairwise(cuts):
-            back, front = self.faces(0.5 * (a + b))
             for z in gauss(a, b):
+                back, front = self.faces(z)
                 weight = 0.5 * (b - a) * self.width(z) * (front - back) * self.unit_weight
                 found.append((weight, 0.5 * (back + front), z))
                 for y0, y1 in self.projecting(z):
