@@ -14,14 +14,15 @@ NAMES = {
         "controvento, lesioni a {crack_deg:.1f}° dalla verticale",
     },
     HORIZONTAL: {
-        ENGLISH: "horizontal bending from {left_m:.2f} to {right_m:.2f} m of the width, above "
-        "{foot_m:.2f} m",
-        ITALIAN: "flessione orizzontale da {left_m:.2f} a {right_m:.2f} m della larghezza, sopra "
+        ENGLISH: "horizontal bending between {left_m:+.2f} and {right_m:+.2f} m from the middle, "
+        "above {foot_m:.2f} m",
+        ITALIAN: "flessione orizzontale tra {left_m:+.2f} e {right_m:+.2f} m dalla mezzeria, sopra "
         "{foot_m:.2f} m",
     },
     PART_WIDTH: {
-        ENGLISH: "part of the width from {left_m:.2f} to {right_m:.2f} m, above {foot_m:.2f} m",
-        ITALIAN: "ribaltamento parziale da {left_m:.2f} a {right_m:.2f} m della larghezza, sopra "
+        ENGLISH: "part of the width between {left_m:+.2f} and {right_m:+.2f} m from the middle, "
+        "above {foot_m:.2f} m",
+        ITALIAN: "ribaltamento parziale tra {left_m:+.2f} e {right_m:+.2f} m dalla mezzeria, sopra "
         "{foot_m:.2f} m",
     },
 }
