@@ -12,7 +12,7 @@ from rocking.assessment.family import Family
 from rocking.assessment.masonry import Masonry
 from rocking.assessment.names import KINDS, NAMES, SENTENCES, kind_of, not_asked
 from rocking.assessment.partial_width import _screened, lines, part_width
-from rocking.assessment.repertory import compound, horizontal, supports
+from rocking.assessment.repertory import compound, horizontal, supports, wedge_masses
 from rocking.assessment.sites import site_of
 from rocking.configuration import config
 from rocking.mechanics.hanging import Wedge
@@ -79,6 +79,23 @@ def test_a_wedge_by_hand():
     mass = out**2 / (9.81 * (12.0 * w + 18.0 * v))
     assert one.mechanism.participation()[0] == pytest.approx(mass, rel=1e-12)
     assert one.mechanism.ultimate()[0] == pytest.approx(math.atan(alpha), rel=1e-9)
+
+
+def test_openings_of_the_facade_take_nothing_from_its_wedges():
+    door = {"x_m": 0.0, "z_m": 0.0, "width_m": 1.2, "height_m": 2.2}
+    pierced, plain = (family({**PLAIN, "openings": rows}) for rows in ([door], []))
+    wedges = [
+        [sum(w * z**power for w, _, z in wedge_masses(one, 1.0, 20.0)) for power in (0, 1, 2)]
+        for one in (pierced, plain)
+    ]
+    assert wedges[0] == pytest.approx(wedges[1], rel=1e-12)
+    part = shape_of(
+        resolved({**PLAIN, "openings": [door], "wedge_deg": 20.0, "wedge_thickness_m": 0.8})[
+            "facade"
+        ]
+    )
+    one = compound(pierced, 0.0, 20.0).mechanism
+    assert one.multiplier() == pytest.approx(part.static_multiplier, rel=1e-12)
 
 
 def test_friction_of_interlocked_courses_fades_with_the_crack_s_angle():

@@ -11,8 +11,9 @@ either.
 What lies above a held level bears on it with its weight, and what holds it there holds the part.
 """
 
+from yade_scripts.model.beside import tapered
 from yade_scripts.model.gravity import GRAVITY_M_S2
-from yade_scripts.model.shape import shape_of, tapered
+from yade_scripts.model.shape import shape_of
 
 NEAR_M = 1e-6
 LEVEL_M = 0.3  # what holds no higher above a held level belongs to it, as ties below a floor

@@ -27,12 +27,12 @@ from rocking.assessment import repertory, weakest
 from rocking.assessment.checks import initial_period
 from rocking.assessment.masonry import Masonry
 from rocking.assessment.sites import CORNERS, LEAST_PART_M, WHOLE_PART
-from rocking.mechanics.blocks import Held, bending, interlocking, toppling
+from rocking.mechanics.blocks import Held, bending, interlocking, leaned, toppling
 from rocking.mechanics.closed_forms import Interlocked
 from rocking.mechanics.mechanism import WHOLE, Mechanism, turning
+from yade_scripts.model.beside import slices_of
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.holds import FRICTION, holds
-from yade_scripts.model.shape import slices_of
 
 ADDED_REACH_M = 0.2  # of one more row: elongation of a rod of 4 m that snaps at 5 %
 FEET = 10  # heights from which a part may part with interlocked return walls
@@ -165,8 +165,8 @@ class Family:
         pushes = [row for row in self.pushes if row[1] > foot_m + NEAR_M]
         masses, thrusts = m.masses(foot_m, m.top_m), self.thrusting(foot_m)
         top = hinge[0], m.top_m
-        given = name, masses, hinge, top, loads, pulls, pushes, thrusts
-        found = toppling(*given, lean_rad=self.lean_rad)
+        found = toppling(name, masses, hinge, top, loads, pulls, pushes, thrusts)
+        found = leaned(found, self.lean_rad)
         free = foot_m >= self.height_m - NEAR_M  # above all that the return walls hold
         stated = self.settings["height_ratio"]
         place = self._place(foot_m, max(self.height_m, foot_m))

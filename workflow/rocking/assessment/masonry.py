@@ -9,7 +9,8 @@ import itertools
 
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from rocking.mechanics.mechanism import gauss
-from yade_scripts.model.shape import shape_of, tapered
+from yade_scripts.model.beside import tapered
+from yade_scripts.model.shape import shape_of
 
 STRIPS = 40  # of a wedge, whose edge crosses openings anywhere
 

@@ -14,7 +14,7 @@ import numpy as np
 from rocking.assessment import region
 from rocking.assessment.names import PART_WIDTH, named
 from rocking.assessment.sites import LEAST_PART_M, Site
-from rocking.mechanics.blocks import Held, toppling
+from rocking.mechanics.blocks import Held, leaned, toppling
 from yade_scripts.model.return_walls import wall_strips
 from yade_scripts.model.ties import rods_at
 
@@ -91,8 +91,8 @@ def part_width(family, foot_m, ends):
     masses = [(w, y, z) for w, _, y, z in rows]
     name = named(PART_WIDTH, foot_m=foot_m, left_m=left, right_m=right)
     thrusts = [(share * force, z) for force, z in family.thrusting(foot_m)]
-    given = name, masses, hinge, (hinge[0], top), loads, pulls, pushes, thrusts
-    found = toppling(*given, lean_rad=family.lean_rad)
+    found = toppling(name, masses, hinge, (hinge[0], top), loads, pulls, pushes, thrusts)
+    found = leaned(found, family.lean_rad)
     return family.between(found, foot_m, m.height_m, PART_WIDTH, ends)
 
 

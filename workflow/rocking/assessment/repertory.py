@@ -25,8 +25,9 @@ from rocking.assessment import region
 from rocking.assessment.names import COMPOUND, HORIZONTAL, PART_WIDTH, named
 from rocking.assessment.partial_width import part_width, widths
 from rocking.assessment.sites import LEAST_PART_M, Site
-from rocking.mechanics.blocks import toppling
+from rocking.mechanics.blocks import leaned, toppling
 from rocking.mechanics.hanging import Wedge, hanging
+from rocking.mechanics.mechanism import gauss
 from yade_scripts.model.return_walls import wall_strips
 from yade_scripts.model.ties import rods_at
 
@@ -74,10 +75,13 @@ def wedge_masses(family, foot_m, crack_deg):
     """Wedges of all return walls above a foot: (weight_n, y_m, z_m)."""
     m, tangent = family.masonry, math.tan(math.radians(crack_deg))
     deep = family.wall["count"] * family.wall["thickness_m"] * m.unit_weight
+    cuts = sorted({foot_m, m.height_m, *(z for z in m.edges_m if foot_m < z < m.height_m)})
     found = []
-    for z, height, *_ in region.strips(m, foot_m, m.height_m, (-NEAR_M, NEAR_M)) if deep else ():
-        reach = (z - foot_m) * tangent
-        found.append((deep * height * reach, m.faces(z)[0] - 0.5 * reach, z))
+    for low, high in itertools.pairwise(cuts):
+        for z in gauss(low, high):
+            reach = (z - foot_m) * tangent
+            weight = 0.5 * (high - low) * deep * reach
+            found.append((weight, m.faces(z)[0] - 0.5 * reach, z))
     return [row for row in found if row[0] > 0.0]
 
 
@@ -105,8 +109,8 @@ def compound(family, foot_m, crack_deg):
     pushes = [row for row in family.pushes if row[1] > foot_m + NEAR_M]
     masses = m.masses(foot_m, m.top_m) + wedge
     top, thrusts = (hinge[0], m.top_m), family.thrusting(foot_m)
-    given = plain.name, masses, hinge, top, loads, pulls, pushes, thrusts
-    found = toppling(*given, lean_rad=family.lean_rad)
+    found = toppling(plain.name, masses, hinge, top, loads, pulls, pushes, thrusts)
+    found = leaned(found, family.lean_rad)
     return plain._replace(mechanism=found, **about)
 
 

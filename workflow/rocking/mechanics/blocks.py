@@ -6,6 +6,7 @@ y is outward, z upward.
 
 import cmath
 import math
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -72,19 +73,16 @@ def thrusting(rows, move, y_m):
     return tuple(Pull(-force, move((y_m, z))) for force, z in rows if force)
 
 
-def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=(), thrusts=(), *, lean_rad=0.0):
+def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=(), thrusts=()):
     """One rigid block that turns outward about a hinge (y, z); its control point is `top`.
 
     Masses and loads, what it carries, are (weight_n, y_m, z_m); pulls are `Held`; pushes (weight_n,
     height_m) are masses that push horizontally and do not bear on it; thrusts see `thrusting`.
 
-    A wall that leans outward by an angle at rest has turned by it already: α(θ) is that of the
-    upright one at θ + lean, tan(θ₀ − lean − θ) of weights alone.
     """
 
     def move(point):
-        path = turning(point, hinge)
-        return (lambda theta: path(theta + lean_rad)) if lean_rad else path
+        return turning(point, hinge)
 
     carried = [*masses, *loads]
     weights = [Weight(w, move((y, z))) for w, y, z in carried if w > 0.0]
@@ -94,6 +92,29 @@ def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=(), thrusts=()
     lumped = (*_lump(carried, move), *pushing)
     given = name, (*weights, *pushing), move(top), held
     return Mechanism(*given, pieces=pieces, lumped=lumped)
+
+
+def leaned(mechanism, lean_rad):
+    """One block of a wall that leans outward by an angle at rest: it has turned by it already.
+
+    α(θ) is that of the upright wall at θ + lean, tan(θ₀ − lean − θ) of weights alone.
+    """
+    if not lean_rad:
+        return mechanism
+
+    def shifted(path):
+        return lambda theta: path(theta + lean_rad)
+
+    def on(rows):
+        return tuple(row._replace(path=shifted(row.path)) for row in rows)
+
+    pieces = tuple(
+        (low, high, lambda point, move=move: shifted(move(point)))
+        for low, high, move in mechanism.pieces
+    )
+    moved = {"pieces": pieces, "control": shifted(mechanism.control), "_rotations": {}}
+    moved |= {key: on(getattr(mechanism, key)) for key in ("weights", "pulls", "lumped")}
+    return replace(mechanism, **moved)
 
 
 def _lump(masses, move):
