@@ -184,6 +184,23 @@ def test_the_bodies_of_horizontal_bending_are_rigid():
     assert meet[0].real == pytest.approx(meet[1].real, abs=1e-6)
 
 
+@pytest.mark.parametrize("theta", [0.02, 0.08, 0.15])
+def test_bodies_press_each_other_apart_as_far_as_they_overlap(theta):
+    """Points of both on the inner face where they meet: what the one is past the other in x.
+
+    A body moves along the normal of its crack: its way up tells its way along the wall.
+    """
+    own, height = Wedge(-2.0, 0.5, 2.0, 1.0, 6.0, 0.5, 0.0), 5.0
+    past = 0.0
+    for x, long in ((0.5 - 1e-12, 2.5), (0.5, 1.5)):
+        up = own.move(x, 0.0, height)(theta)[1].real - height
+        past += up * own.depth_m / long
+    assert own.apart(height)(theta)[0].real == pytest.approx(past, rel=1e-9)
+    late = [own.apart(6.0)(t)[0].real for t in (0.0, 0.01, 0.1, 0.19)]
+    assert late[1] > late[0] == 0.0
+    assert late[3] < late[2]  # beyond the arch's rise the thrust pushes outward
+
+
 def test_horizontal_bending_is_between_neighbouring_rods_and_is_listed_with_ties():
     row = {"height_m": 6.0, "count": 3, "diameter_mm": 16.0, "length_m": 5.0}
     asked = {"mechanisms": ["horizontal"]}

@@ -1,7 +1,8 @@
 """Dense searches for weaker wedges, horizontal bending and part widths than a report lists.
 
 Of façades drawn at random (`drawn_facades`), with interlocked courses in every second one: crack
-angles every 2° and feet every 20 cm; where a span opens, every tenth of it; every pair of lines.
+angles every 2.5° and feet every 25 cm; where a span opens, every fifth of it from a tenth on; every
+pair of lines.
 
     .venv/bin/python tests/trials/repertory.py --first 0 --count 50 --seed 71
 
@@ -20,7 +21,7 @@ import numpy as np
 
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT), str(ROOT / "workflow"), str(ROOT / "tests" / "cases")]
-FOOT_M, CRACK_DEG, SHARE, WEAKER = 0.20, 2.0, 0.1, 0.98
+FOOT_M, CRACK_DEG, SHARE, WEAKER = 0.25, 2.5, 0.2, 0.98
 
 
 def feet(last_m):
@@ -46,7 +47,7 @@ def dense(family):
             for deg in np.arange(0.0, 50.0, CRACK_DEG)
         )
     for left, right, top in repertory.supports(family):
-        shares = np.arange(SHARE, 1.0 - 0.5 * SHARE, SHARE)
+        shares = np.arange(0.5 * SHARE, 1.0, SHARE)
         own = [
             family.slv(
                 repertory.horizontal(family, z, top, (left, left + s * (right - left), right))

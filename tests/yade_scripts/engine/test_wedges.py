@@ -73,6 +73,27 @@ def test_its_lever_is_that_of_the_hand_calculation():
     assert shape_of(facade).static_multiplier == pytest.approx(found.multiplier(), rel=1e-12)
 
 
+@pytest.mark.parametrize("name", WEDGES)
+def test_it_leans_on_its_crack(name):
+    """Nodes behind it stand on the line of the crack; their normal is across it, into the block.
+
+    Their area is that of the crack before the walls.
+    """
+    case = case_of(name, "W1")
+    scene, deg = build_scene(case), case["facade"]["wedge_deg"]
+    wall = [i for i, joint in enumerate(scene.joints) if joint.startswith("return wall")]
+    mine = np.isin(scene.nodes.joint, wall)
+    y, z = scene.nodes.position_m[mine, 1:].T
+    assert y == pytest.approx(-z * math.tan(math.radians(deg)), abs=1e-12)
+    along = np.array([-math.sin(math.radians(deg)), math.cos(math.radians(deg))])
+    normal = scene.nodes.normal[mine, 1:]
+    assert normal @ along == pytest.approx(0.0, abs=1e-12)
+    assert np.all(normal > 0.0)
+    wide = case["return_wall"]["count"] * case["return_wall"]["thickness_m"]
+    long = case["facade"]["height_m"] / along[1]
+    assert scene.nodes.area_m2[mine].sum() == pytest.approx(wide * long, rel=1e-9)
+
+
 def test_stiffness_and_damping_by_two_routes():
     two_routes(case_of("part on its building"), "top")
 
