@@ -127,3 +127,10 @@ def test_refused_in_one_line_with_the_height_that_stands():
     }
     with pytest.raises(ConfigError, match="facade.height_m"):
         resolve({"facade": {"height_m": 40.0, **bent}, "models": ["W1"]})
+
+
+def test_all_that_has_a_height_grows_with_the_facade_that_is_asked_for():
+    """A cornice at the top stays below it: the refusal names the height that stands."""
+    cornice = {"z_m": 6.8, "height_m": 0.2, "projection_m": 0.1}
+    with pytest.raises(ConfigError, match=r"facade.height_m = 7: expected at most 6\.\d+ \(m\)"):
+        resolve({"facade": {"height_m": 7.0, **SOFT, "cornices": [cornice]}, "models": ["W1"]})

@@ -43,7 +43,8 @@ class Link:
 class Tie:
     """A rod between a point of block `a` and one of block `b`, which can only pull.
 
-    With e its lengthening past its slack, by which its ends part before it is taut, and p the part
+    With e its lengthening past its slack, by which its ends part before it is taut (less than
+    nothing: it is stretched from the start), and p the part
     of it that is plastic, it pulls with k·(e − p) between 0 and its capacity along the line between
     the points as they are; past the capacity p grows, and at e = `elongation_m`, not less than
     capacity/k, it snaps for good. Its ends `end_a_m` and `end_b_m` are those of the reference
@@ -62,7 +63,9 @@ class Tie:
 
     def __post_init__(self):
         """Check the values."""
-        _check(self, ("stiffness_n_m", "capacity_n", "elongation_m"), ("slack_m",))
+        _check(self, ("stiffness_n_m", "capacity_n", "elongation_m"))
+        if not np.isfinite(self.slack_m):
+            raise ValueError(f"tie '{self.name}': slack_m must be finite, got {self.slack_m}")
         if self.length_m <= 0.0:
             raise ValueError(f"tie '{self.name}' needs two ends")
         if self.elongation_m < self.capacity_n / self.stiffness_n_m * (1.0 - 1e-9):

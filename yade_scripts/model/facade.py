@@ -44,6 +44,7 @@ from yade_scripts.model.return_walls import WALL, add_return_walls, back_jkn
 from yade_scripts.model.scene import DOFS, DRY, NO_DRAG, Block, NodeList, Scene, box_inertia, held
 from yade_scripts.model.shape import shape_of
 from yade_scripts.model.storeys import sliders
+from yade_scripts.model.thrusts import thrust_ties
 from yade_scripts.model.ties import anchor_ties, facade_ties
 from yade_scripts.model.wall_motion import motion_of
 
@@ -140,6 +141,7 @@ def facade_scene(
     pressing = level_loads(facade, shape, blocks, walls, beds)
     behind = walls, blocks, shape
     ties = facade_ties(facade.ties, *behind) + anchor_ties(facade.floors, *behind)
+    ties += thrust_ties(facade.thrusts, *behind)
     floors, springs = facade_floors(facade.floors, *behind, config["smdof"]["damping_ratio"])
     even, found = _even(nodes.joints, tops) if facade.courses else [], nodes.done()
     of_courses = np.isin(found.joint, [nodes.joints.index(name) for name in even])

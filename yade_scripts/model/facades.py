@@ -11,8 +11,12 @@ from dataclasses import dataclass, fields
 
 STUDY, COLUMN = "study", "column"  # forms of the base
 TRIANGLE = "triangle"  # outline of a gable by itself
-OWN_KEYS = ("thickness_steps", "openings", "gable_height_m", "parapet_height_m")  # of a shape
+OWN_KEYS = (  # of a shape
+    *("thickness_steps", "openings", "gable_height_m", "parapet_height_m"),
+    *("wedge_deg", "cornices", "top_thickness_m"),
+)
 FLAT = "flat"  # bearing of a load that lies on the whole thickness
+ACROSS, ALONG = "across", "along"  # which way joists run: onto the façade, or beside it
 
 
 @dataclass(frozen=True)
@@ -34,8 +38,21 @@ class Hole:
 
 
 @dataclass(frozen=True)
+class Cornice:
+    """Masonry before the outer face: lower edge above the base, height, how far it projects [m]."""
+
+    z_m: float
+    height_m: float
+    projection_m: float
+
+
+@dataclass(frozen=True)
 class Rods:
-    """A row of equal rods at a height above the base; `anchor_kn` None: it holds whatever it is."""
+    """A row of equal rods at a height above the base; `anchor_kn` None: it holds whatever it is.
+
+    `x_m` are their places from the middle of the façade, None: evenly spread (`ties.rods_at`);
+    `pretension_kn` is what each pulls before anything moves.
+    """
 
     height_m: float
     count: int
@@ -44,8 +61,15 @@ class Rods:
     e_mpa: float
     yield_mpa: float
     elongation: float
+    x_m: tuple[float, ...] | None = None
+    pretension_kn: float = 0.0
     slack_mm: float = 0.0
     anchor_kn: float | None = None
+
+    def __post_init__(self):
+        """Keep the places as values."""
+        if self.x_m is not None:
+            object.__setattr__(self, "x_m", tuple(self.x_m))
 
     @property
     def rod(self):
@@ -57,6 +81,19 @@ class Rods:
         if anchor <= steel:
             return stiffness, anchor, anchor / stiffness
         return stiffness, steel, max(self.elongation * self.length_m, steel / stiffness)
+
+
+@dataclass(frozen=True)
+class Thrust:
+    """A static horizontal thrust on the façade at a height above its base, outward."""
+
+    height_m: float
+    force_kn: float
+
+    @property
+    def force_n(self):
+        """It on the whole width [N]."""
+        return 1e3 * self.force_kn
 
 
 @dataclass(frozen=True)
@@ -72,6 +109,7 @@ class FloorRow:
     mass_t: float
     period_s: float
     arm_m: float | None = None
+    joists: str = ACROSS
     bearing: str = "point"
     load_inertia: bool | None = None
 
@@ -118,7 +156,11 @@ class Facade:
     sides: str = "one"
     outline: str = "box"
     thickness_steps: tuple[Step, ...] = ()
+    top_thickness_m: float | None = None
     flush_face: str = "outer"
+    cornices: tuple[Cornice, ...] = ()
+    wedge_deg: float = 0.0
+    wedge_thickness_m: float | None = None
     openings: tuple[Hole, ...] = ()
     gable_height_m: float = 0.0
     parapet_height_m: float = 0.0
@@ -127,6 +169,7 @@ class Facade:
     building_height_m: float | None = None
     hinges_m: tuple[float, ...] | str = ()
     ties: tuple[Rods, ...] = ()
+    thrusts: tuple[Thrust, ...] = ()
     floors: tuple[FloorRow, ...] = ()
 
     @classmethod
@@ -172,7 +215,7 @@ class Facade:
         """
         keys = [*OWN_KEYS, "base_height_m", "building_height_m", "hinges_m", "courses"]
         if held:
-            keys += ["ties", "floors", "bond_tension_mpa", "bond_cohesion_mpa"]
+            keys += ["ties", "floors", "thrusts", "bond_tension_mpa", "bond_cohesion_mpa"]
         given = [key for key in keys if getattr(self, key)]
         given += ["outline"] if self.outline == TRIANGLE else []
         if given:
@@ -189,7 +232,14 @@ class Facade:
                 )
 
 
-ROWS = {"thickness_steps": Step, "openings": Hole, "ties": Rods, "floors": FloorRow}
+ROWS = {
+    "thickness_steps": Step,
+    "cornices": Cornice,
+    "openings": Hole,
+    "ties": Rods,
+    "thrusts": Thrust,
+    "floors": FloorRow,
+}
 NAMES = {kind: {one.name for one in fields(kind)} for kind in (Facade, *ROWS.values())}
 NEEDED = {
     kind: {one.name for one in fields(kind) if one.default is one.default_factory} for kind in NAMES

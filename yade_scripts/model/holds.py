@@ -23,7 +23,8 @@ TIE, ANCHOR, FRICTION = "tie", "anchor", "friction"
 class Hold(NamedTuple):
     """One thing that holds a façade back at a height above its base.
 
-    Its point moves by `slack_m` outward from the upright before it pulls, and loses it at `reach_m`
+    Its point moves by `slack_m` outward from the upright before it pulls (less than nothing: it
+    pulls from the start), and loses it at `reach_m`
     from the upright, slack included; inf: never.
     """
 
@@ -36,9 +37,12 @@ class Hold(NamedTuple):
 
 
 def of_tie(row):
-    """`Hold` of a `Rods`."""
+    """`Hold` of a `Rods`.
+
+    A pretension N (`pretension_kn`, of one rod) is a slack of −N/k: the rod pulls N from the start.
+    """
     stiffness, capacity, elongation = row.rod
-    slack = 1e-3 * row.slack_mm
+    slack = 1e-3 * row.slack_mm - 1e3 * row.count * row.pretension_kn / stiffness
     return Hold(TIE, row.height_m, stiffness, capacity, slack, slack + elongation)
 
 

@@ -11,6 +11,8 @@ either.
 What lies above a held level bears on it with its weight, and what holds it there holds the part.
 """
 
+from yade_scripts.model.beside import tapered
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.shape import shape_of
 
@@ -19,13 +21,17 @@ LEVEL_M = 0.3  # what holds no higher above a held level belongs to it, as ties 
 WHOLE = (0.0, None, None)
 
 
-def part_of(section, foot_m, held_m=None, hinge_m=None):
+def part_of(section, foot_m, held_m=None, hinge_m=None, wedge=None):
     """Section facade of the part of a façade above a foot, in heights above the façade's base.
 
-    Of vertical bending `held_m` is the level that stays, `hinge_m` the joint that opens below it.
+    A `wedge` of the return walls, (angle of its crack from the vertical in degrees, thickness of
+    all walls), makes it one block, on the base of the elastic wall where the façade has courses. Of
+    vertical bending `held_m` is the level that stays, `hinge_m` the joint that opens below it.
     ValueError of one line for heights that the façade has not, hinges that are stated already, or a
     tilt.
     """
+    if wedge and wedge[0]:
+        return _with_wedge(section, (foot_m, held_m, hinge_m), *wedge)
     if (foot_m, held_m, hinge_m) == WHOLE:  # with hinges, courses or a tilt of its own
         return dict(section)
     _check(section, foot_m, held_m, hinge_m)
@@ -47,18 +53,39 @@ def part_of(section, foot_m, held_m=None, hinge_m=None):
         found |= {"gable_height_m": 0.0, "parapet_height_m": 0.0}
         floors += _load(section, shape, held_m, _place(top - foot_m))
     back, front = shape.faces_at(min(foot_m + NEAR_M, eaves))
+    thickness_m, top_m = front - back, None
+    whole = Facade.of(section)
+    if whole.top_thickness_m:
+        thickness_m, top_m = (_place(tapered(whole, z)) for z in (foot_m, top))
     return found | {
         "height_m": _place(top - foot_m),
-        "thickness_m": _place(front - back),
+        "thickness_m": _place(thickness_m),
+        "top_thickness_m": top_m,
         "thickness_steps": [
             {**row, "z_m": _place(row["z_m"] - foot_m)}
             for row in section["thickness_steps"]
             if foot_m + NEAR_M < row["z_m"] < top - NEAR_M
         ],
         "openings": _openings(section["openings"], foot_m, top),
+        "cornices": _openings(section.get("cornices", ()), foot_m, top),
         "ties": _rows(section["ties"], foot_m, top),
+        "thrusts": _rows(section.get("thrusts", ()), foot_m, top),
         "floors": floors,
     }
+
+
+def _with_wedge(section, heights, deg, thickness_m):
+    """A part with a wedge of the return walls."""
+    foot_m, held_m, _ = heights
+    if held_m is not None or foot_m >= section["height_m"] - NEAR_M:
+        raise ValueError(
+            f"part.wedge_deg = {deg:g}: expected 0 (°) for a part that bends, or that has no "
+            "return walls behind it"
+        )
+    found = part_of({**section, "courses": 0}, *heights)
+    elastic = section.get("courses") and not found["base_stiffness_pa_m"]
+    base = "column" if elastic else section.get("base", "study")
+    return found | {"wedge_deg": deg, "wedge_thickness_m": thickness_m, "base": base}
 
 
 def _check(section, foot_m, held_m, hinge_m):
@@ -101,6 +128,9 @@ def _above_the_walls(section, shape, foot_m):
         "thickness_steps": [],
         "openings": [],
         "ties": [],
+        "thrusts": [],
+        "cornices": [],
+        "top_thickness_m": None,
         "floors": [],
     }
 
@@ -120,7 +150,7 @@ def _rows(rows, foot_m, top_m):
 
 
 def _openings(rows, foot_m, top_m):
-    """Openings between two heights; of those that either cuts, what lies between."""
+    """Openings, or cornices, between two heights; of those that either cuts, what lies between."""
     found = []
     for row in rows:
         low, high = max(row["z_m"], foot_m), min(row["z_m"] + row["height_m"], top_m)
@@ -137,6 +167,10 @@ def _load(section, shape, held_m, height_m):
         for x0, x1, s, e in shape.openings:
             area -= (x1 - x0) * max(min(e, z1) - max(s, z0, held_m), 0.0)
         mass = section["density_kg_m3"] * area * (y1 - y0)
+        weight, moment = weight + mass, moment + 0.5 * mass * (y0 + y1)
+    for z0, z1, y0, y1 in shape.cornices:
+        mass = section["density_kg_m3"] * max(z1 - max(z0, held_m), 0.0) * section["width_m"]
+        mass *= y1 - y0
         weight, moment = weight + mass, moment + 0.5 * mass * (y0 + y1)
     if gable := section["gable_height_m"]:
         y0, y1 = shape.storeys[-1][2:]
@@ -157,6 +191,7 @@ def _load(section, shape, held_m, height_m):
 
 
 FLOOR = {  # a dead load that nothing holds
+    "joists": "across",
     "bearing": "point",
     "load_inertia": None,
     "friction": 0.0,

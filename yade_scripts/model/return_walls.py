@@ -69,8 +69,10 @@ def _spans(count, facade, chain):
             yield number, low, tall
 
 
-def _contact(parts, tall_m, total_m, nodes_up, planar):
+def _contact(parts, tall_m, total_m, nodes_up, planar, slope=0.0):
     """Nodes of a block's contact with the façade, on each part of the back face before it.
+
+    With a wedge they are on its crack, which goes back by the `slope` times the height.
 
     `parts` are those of `Shape.back_parts`, `total_m` is the thickness of all walls; `nodes_up` are
     those up a block whose contact is in one part, and up one that is cut into several. Each row is
@@ -80,10 +82,14 @@ def _contact(parts, tall_m, total_m, nodes_up, planar):
     for foot, length, y, lost, strips in parts:
         count = whole if len(parts) == 1 else max(3, 1 + math.ceil((cut - 1) * length / tall_m))
         points, weights = gauss_lobatto(count)
+        middle = foot + 0.5 * length
         line = np.stack([0 * points, y + 0 * points, foot + points * length], axis=1)
+        if slope:
+            line[:, 1] -= slope * line[:, 2]
+            length = length * math.hypot(1.0, slope)
         columns = MIDDLE if planar else _middles(strips)
         places, areas = over_columns(line, weights * length * (total_m - lost), columns)
-        found.append((foot + 0.5 * length, places, areas))
+        found.append((middle, places, areas))
     return found
 
 
@@ -133,14 +139,15 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
         )
         if hanging:
             hanging.hang(own, 0.0)
-        contact = _contact(shape.back_parts(low, tall, strips), tall, total, nodes_up, planar)
+        cut_up = shape.back_parts(low, tall, strips)
+        contact = _contact(cut_up, tall, total, nodes_up, planar, shape.slope)
         for part, (at_m, places, areas) in enumerate(contact, 1):
             nodes.add_joint(
                 blocks[own].name if len(contact) == 1 else f"{blocks[own].name} part {part}",
                 1 + shape.piece_at(at_m),
                 own,
                 places,
-                (0, 1, 0),
+                (0, 1, shape.slope),
                 areas,
                 jkn,
                 facade.shear_stiffness_ratio * jkn,

@@ -12,6 +12,8 @@ exactly. With b_g from the centroid out to the toe and z_g down to the base, it 
 static multiplier λ = b_g/z_g on, and its weight line passes the toe when its top, H above the base,
 has moved by H b_g/z_g: that is the b of d/b, and b itself for a plain façade.
 
+Wedges of the return walls, cornices and a taper are in `beside`.
+
 Hinges cut it into rigid pieces: each has the parts between its two, by the same sums. Two pieces
 meet on the thickness that both have there, and on the width that no opening takes from either.
 """
@@ -19,11 +21,13 @@ meet on the thickness that both have there, and on the width that no opening tak
 import bisect
 import functools
 import itertools
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
 from yade_scripts.model.base import course_tops
+from yade_scripts.model.beside import cornices_of, slices_of, slope_of, tapered, wedge_parts
 from yade_scripts.model.facades import TRIANGLE, Facade
 from yade_scripts.model.intervals import without
 from yade_scripts.model.scene import box_inertia
@@ -54,6 +58,8 @@ class Shape:
     openings: tuple
     parts: tuple
     hinges_m: tuple = ()
+    cornices: tuple = ()  # (z0, z1, y0, y1)
+    slope: float = 0.0  # of a wedge's crack: how far back it reaches over its height
 
     def piece_at(self, height_m):
         """Which of the rigid pieces between hinges a height belongs to, the lower at a hinge."""
@@ -185,6 +191,9 @@ def _shape(facade):
         parts.append(_prism(density, width, storeys[0][2:], 0.0, h))
     if gable:
         parts.append(_prism(density, width, storeys[-1][2:], h, gable))
+    parts += wedge_parts(facade, storeys)
+    cornices = cornices_of(facade, storeys)
+    parts += [_box(density, (-0.5 * width, 0.5 * width), c[2:], c[:2]) for c in cornices]
     mass, centre, tensor = _total(parts)
     top = h + gable + parapet
     found = Shape(
@@ -199,10 +208,14 @@ def _shape(facade):
         openings,
         tuple(parts),
         _hinges(facade),
+        cornices,
+        slope_of(facade),
     )
-    if not 0.0 < found.centre_m[1] < b:
+    low = -math.inf if found.slope else 0.0  # a wedge leans back on its crack
+    if not low < found.centre_m[1] < b:
+        key = "cornices" if cornices else "thickness_steps"
         raise ValueError(
-            f"facade.thickness_steps: the weight falls {found.centre_m[1]:.3g} m from the back of "
+            f"facade.{key}: the weight falls {found.centre_m[1]:.3g} m from the back of "
             f"the base; expected between 0 and facade.thickness_m = {b:g} (m)"
         )
     if found.base_lost_m > width - 1e-3:
@@ -253,6 +266,11 @@ def _storeys(facade):
     """(z0, z1, y0, y1) of the storeys of thickness, the parapet last."""
     h, b = facade.height_m, facade.thickness_m
     steps, last = facade.thickness_steps, 0.0
+    if steps and facade.top_thickness_m:
+        raise ValueError(
+            f"facade.top_thickness_m = {facade.top_thickness_m:g}: expected null with "
+            "facade.thickness_steps"
+        )
     for number, row in enumerate(steps, 1):
         if not last < row.z_m < h:
             raise ValueError(
@@ -260,8 +278,12 @@ def _storeys(facade):
                 f"heights above 0 and below facade.height_m = {h:g} (m)"
             )
         last = row.z_m
-    feet = sorted({0.0, *_hinges(facade), *(row.z_m for row in steps)})
+    hinges = _hinges(facade)
+    cuts = [z for z in slices_of(facade) if all(abs(z - own) > 1e-6 for own in hinges)]
+    feet = sorted({0.0, *hinges, *cuts, *(row.z_m for row in steps)})
     edges, thick = [*feet, h], [_thickness(b, steps, z) for z in feet]
+    if cuts:
+        thick = [tapered(facade, 0.5 * (a + z)) for a, z in itertools.pairwise(edges)]
     if parapet := facade.parapet_height_m:
         edges.append(h + parapet)
         thick.append(facade.parapet_thickness_m or thick[-1])

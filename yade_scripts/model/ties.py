@@ -19,7 +19,20 @@ from yade_scripts.model.bars import Tie
 from yade_scripts.model.floors import place_of, wall_behind
 from yade_scripts.model.holds import ANCHOR, of_floor, of_tie
 
+REACH = 0.8  # of half the width: outermost rods of a row whose places are not stated
 FAR_M = 1e3  # length of an anchor's tie: as its point lifts by 0.1 m it lengthens by 5 µm
+
+
+def rods_at(row, width_m):
+    """Places of the rods of a `Rods` along a façade, from its middle [m].
+
+    Those stated (`x_m`), or evenly over the middle four fifths of its width.
+    """
+    if row.x_m is not None:
+        return list(row.x_m)
+    count = row.count
+    reach = REACH * 0.5 * width_m
+    return [0.0] if count == 1 else [reach * (2.0 * k / (count - 1) - 1.0) for k in range(count)]
 
 
 def facade_ties(rows, walls, blocks, shape):

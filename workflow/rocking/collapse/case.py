@@ -290,6 +290,8 @@ class Case:
         held_m: float | None = None,
         hinge_m: float | None = None,
         law: str | PathLike = LAW_FILE,
+        *,
+        wedge_deg: float = 0.0,
     ) -> "Case":
         """Return the case of a part of the façade, as a mechanism takes it, on the building.
 
@@ -303,6 +305,9 @@ class Case:
             Heights above the façade's base.
         law : path
             See `chosen`.
+        wedge_deg : float
+            Angle from the vertical of the crack that a wedge of the return walls goes along with
+            the part at; 0: none.
 
         Raises
         ------
@@ -318,9 +323,11 @@ class Case:
         >>> above["facade"]["height_m"], above["facade"]["base_height_m"], above["facade"]["ties"]
         (3.48, 3.0, [])
         """
-        heights = {"foot_m": foot_m, "held_m": held_m, "hinge_m": hinge_m}
-        heights = {name: _allowed(f"part.{name}", value) for name, value in heights.items()}
-        section = part_of(self["facade"], **heights)
+        given = {"foot_m": foot_m, "held_m": held_m, "hinge_m": hinge_m, "wedge_deg": wedge_deg}
+        heights = {name: _allowed(f"part.{name}", value) for name, value in given.items()}
+        wall = self["return_wall"]
+        wedge = heights.pop("wedge_deg"), wall["count"] * wall["thickness_m"]
+        section = part_of(self["facade"], **heights, wedge=wedge)
         if section == self["facade"]:
             return self
         sections = copy.deepcopy({**self.sections, "facade": section})

@@ -104,7 +104,10 @@ def check(resolved: Mapping) -> None:
 def _check_part(resolved: Mapping) -> None:
     """Refuse a part that the façade has not, or that is no façade of its own."""
     try:
-        facade = part_of(resolved["facade"], **resolved["part"])
+        heights = {**resolved["part"]}
+        wall = resolved["return_wall"]
+        wedge = heights.pop("wedge_deg"), wall["count"] * wall["thickness_m"]
+        facade = part_of(resolved["facade"], **heights, wedge=wedge)
     except ValueError as error:
         raise ConfigError(str(error)) from None
     if facade != resolved["facade"]:

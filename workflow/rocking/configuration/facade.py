@@ -9,7 +9,7 @@ from rocking.configuration.schema import ConfigError, show
 from rocking.configuration.static_stability import WEAKEST, check_static_stability
 from yade_scripts.model import interlocking, registry
 from yade_scripts.model.base import course_tops
-from yade_scripts.model.facades import OWN_KEYS, STUDY, TRIANGLE, Facade, FloorRow
+from yade_scripts.model.facades import ALONG, OWN_KEYS, STUDY, TRIANGLE, Facade, FloorRow, Rods
 from yade_scripts.model.shape import Shape, shape_of
 
 MIN_SLENDERNESS = 2.0  # h/b; a stockier block slides or crushes before it rocks
@@ -106,7 +106,8 @@ def check_bars(resolved: Mapping) -> None:
     """Refuse ties and floors that nothing carries, that snap early or that hold nothing."""
     facade = Facade.of(resolved["facade"])
     several = [name for name in resolved["models"] if not registry.model(name).single_block]
-    rows = [(key, *row) for key in ("ties", "floors") for row in enumerate(getattr(facade, key), 1)]
+    keys = ("ties", "floors", "thrusts")
+    rows = [(key, *row) for key in keys for row in enumerate(getattr(facade, key), 1)]
     for key, number, row in rows:
         where = f"facade.{key}[{number}]"
         if row.height_m > facade.height_m:
@@ -128,9 +129,43 @@ def check_bars(resolved: Mapping) -> None:
                 f"{where}.elongation = {show(row.elongation)}: expected at least the strain at "
                 f"yield, yield_mpa/e_mpa = {show(row.yield_mpa / row.e_mpa)}"
             )
+        if key == "ties":
+            _check_pretension(where, row)
+            _check_places(where, row, facade)
         if key == "floors":
             _check_floor(where, row, shape_of(replace(facade, hinges_m=())))
             _check_bearing(where, row, resolved)
+
+
+def _check_pretension(where: str, row: Rods) -> None:
+    """Refuse a rod that is slack and pulls, or that pulls more than it holds."""
+    if row.pretension_kn and row.slack_mm:
+        raise ConfigError(
+            f"{where}.slack_mm = {show(row.slack_mm)}: expected 0 (mm) with pretension_kn = "
+            f"{show(row.pretension_kn)}"
+        )
+    if (most := 1e-3 * row.rod[1] / row.count) < row.pretension_kn:
+        raise ConfigError(
+            f"{where}.pretension_kn = {show(row.pretension_kn)}: expected at most what rod and "
+            f"anchor hold, {most:.4g} (kN)"
+        )
+
+
+def _check_places(where: str, row: Rods, facade: Facade) -> None:
+    """Refuse places of rods that are not as many as the rods, or not on the façade."""
+    if row.x_m is None:
+        return
+    if len(row.x_m) != row.count:
+        raise ConfigError(
+            f"{where}.x_m: found {len(row.x_m)} places; expected as many as count = {row.count}"
+        )
+    half = 0.5 * facade.width_m
+    for x in row.x_m:
+        if abs(x) > half:
+            raise ConfigError(
+                f"{where}.x_m = {show(x)}: expected within half of facade.width_m on either side "
+                f"of the middle, {show(half)} (m)"
+            )
 
 
 def _check_floor(where: str, row: FloorRow, shape: Shape) -> None:
@@ -140,7 +175,12 @@ def _check_floor(where: str, row: FloorRow, shape: Shape) -> None:
             f"{where}.arm_m = {show(row.arm_m)}: expected at most the thickness at that height, "
             f"{show(front - back)} (m)"
         )
-    if row.load_kn == row.anchor_kn == 0.0:
+    if row.joists == ALONG and row.load_kn:
+        raise ConfigError(
+            f"{where}.load_kn = {show(row.load_kn)}: expected 0 (kN) with joists = along, which "
+            "bear on the return walls"
+        )
+    if row.load_kn == row.anchor_kn == 0.0 and row.joists != ALONG:
         raise ConfigError(f"{where}.load_kn = 0: expected a load, or an anchor_kn (kN) above 0")
     least = row.anchor_kn / row.stiffness_kn_m
     if row.anchor_reach_m < least and not row.mass_t:
@@ -187,6 +227,7 @@ def _check_shape(resolved: Mapping) -> None:
         if not registry.model(name).single_block:
             raise ConfigError(f"models = {name}: expected a façade of one block with a shape")
     _check_outline(resolved["facade"])
+    _check_wedge(resolved["facade"])
     if facade.courses:
         _shape(facade, course_tops(facade)[:-1], "courses")
     if facade.tilt_deg:
@@ -202,6 +243,21 @@ def _shape(facade: Facade, hinges: Sequence, key: str = "hinges_m") -> None:
             shape.joint_at(z)
     except ValueError as error:
         raise ConfigError(str(error).replace("facade.hinges_m", f"facade.{key}", 1)) from None
+
+
+def _check_wedge(section: Mapping) -> None:
+    """Refuse a wedge of the return walls where there are none, or on a façade in pieces."""
+    facade = Facade.of(section)
+    if not facade.wedge_deg:
+        return
+    given = [key for key in ("hinges_m", "courses") if getattr(facade, key)]
+    given += ["sides"] if facade.is_free else []
+    if given:
+        raise ConfigError(
+            f"facade.wedge_deg = {show(facade.wedge_deg)}: expected 0 (°) with facade."
+            f"{given[0]} = {show(section[given[0]])}: the wedge goes along with one block that "
+            "leans on return walls"
+        )
 
 
 def _check_outline(section: Mapping) -> None:

@@ -20,22 +20,19 @@ from rocking.configuration.schema import ConfigError, show
 from yade_scripts.model import registry
 from yade_scripts.model.base import parts
 from yade_scripts.model.facade import joint_stiffness
-from yade_scripts.model.facades import Facade
-from yade_scripts.model.floors import loaded
+from yade_scripts.model.facades import NAMES, ROWS, Facade
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.hinges import hinge_stiffness
 from yade_scripts.model.holds import holds
 from yade_scripts.model.shape import shape_of
+from yade_scripts.model.thrusts import leaning
 
 ANGLES = np.geomspace(1e-6, 1.0, 200)  # over the rotation at which the weight passes the toe
 UNITS = {"height_m": "m", "tilt_deg": "°"}
 HEIGHTS = ("height_m", "gable_height_m", "parapet_height_m")  # what grows with the façade
 LISTS = {
-    "ties": ("height_m",),
-    "floors": ("height_m",),
-    "thickness_steps": ("z_m",),
-    "openings": ("z_m", "height_m"),
-}
+    key: tuple(sorted({"z_m", "height_m"} & NAMES[kind])) for key, kind in ROWS.items()
+}  # and what of its rows
 WEAKEST = "weakest"  # of facade.hinges_m
 
 
@@ -87,7 +84,9 @@ def restoring(config: Mapping) -> float:
     facade = Facade.of(config["facade"])
     shape = shape_of(facade)
     b, width = facade.thickness_m, facade.width_m - shape.base_lost_m
-    weight, (arm, height) = loaded(facade.floors, shape)
+    weight, (arm, height) = leaning(facade, shape)
+    if arm <= 0.0:  # thrusts alone turn it over
+        return arm / height
     angle = math.atan2(arm, height) * ANGLES
     sin, cos, tilted = np.sin(angle), np.cos(angle), angle + math.radians(facade.tilt_deg)
     jkn, edge = parts(facade)
@@ -124,7 +123,7 @@ def _pieces_stand(config):
         return np.clip(z - edges[:-1], 0.0, np.diff(edges))
 
     for hold in holds(facade):
-        if hold.slack_m == 0.0:
+        if hold.slack_m <= 0.0:
             z = hold.height_m
             matrix += hold.stiffness_n_m * np.outer(lengths(z), lengths(z))
     loads = [(mass * GRAVITY_M_S2, centre[2]) for mass, centre, _, _ in shape.pieces]

@@ -65,11 +65,20 @@ def _checked(facade):
     return f
 
 
-def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=()):
+def thrusting(rows, move, y_m):
+    """`Pull`s of static thrusts (force_n, height_m), horizontal, outward, on a vertical at y.
+
+    They do not grow with the shaking: their work is on the side of what holds, with its sign.
+    """
+    return tuple(Pull(-force, move((y_m, z))) for force, z in rows if force)
+
+
+def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=(), thrusts=()):
     """One rigid block that turns outward about a hinge (y, z); its control point is `top`.
 
     Masses and loads, what it carries, are (weight_n, y_m, z_m); pulls are `Held`; pushes (weight_n,
-    height_m) are masses that push horizontally and do not bear on it.
+    height_m) are masses that push horizontally and do not bear on it; thrusts see `thrusting`.
+
     """
 
     def move(point):
@@ -79,10 +88,33 @@ def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=()):
     weights = [Weight(w, move((y, z))) for w, y, z in carried if w > 0.0]
     pushing = [Weight(w, _part(move((hinge[0], z)), 0)) for w, z in pushes if w > 0.0]
     pieces = ((hinge[1], top[1], move),)
-    held = _pulls(pulls, move, hinge, top)
+    held = _pulls(pulls, move, hinge, top) + thrusting(thrusts, move, hinge[0])
     lumped = (*_lump(carried, move), *pushing)
     given = name, (*weights, *pushing), move(top), held
     return Mechanism(*given, pieces=pieces, lumped=lumped)
+
+
+def leaned(mechanism, lean_rad):
+    """One block of a wall that leans outward by an angle at rest: it has turned by it already.
+
+    α(θ) is that of the upright wall at θ + lean, tan(θ₀ − lean − θ) of weights alone.
+    """
+    if not lean_rad:
+        return mechanism
+
+    def shifted(path):
+        return lambda theta: path(theta + lean_rad)
+
+    def on(rows):
+        return tuple(row._replace(path=shifted(row.path)) for row in rows)
+
+    pieces = tuple(
+        (low, high, lambda point, move=move: shifted(move(point)))
+        for low, high, move in mechanism.pieces
+    )
+    moved = {"pieces": pieces, "control": shifted(mechanism.control), "_rotations": {}}
+    moved |= {key: on(getattr(mechanism, key)) for key in ("weights", "pulls", "lumped")}
+    return replace(mechanism, **moved)
 
 
 def _lump(masses, move):
@@ -108,14 +140,14 @@ def _pulls(rows, move, low, high):
     return tuple(found)
 
 
-def bending(name, lower, upper, base, joint, top, loads=(), held=(), pulls=()):
+def bending(name, lower, upper, base, joint, top, loads=(), held=(), pulls=(), thrusts=()):
     """Two blocks between held levels: vertical bending.
 
     The lower block turns outward about `base`, the upper one back about `joint`, the inner edge of
     the opening between them; `top`, where it is held, moves vertically only, all (y, z). What bears
     there lifts and does not move sideways. Masses of both blocks, loads that move with the block
     they stand on, and what is held and bears on the upper one are (weight_n, y_m, z_m); pulls are
-    `Held`.
+    `Held`, thrusts as of `thrusting`.
     """
     first = turning(joint, base)
     dy, dz = top[0] - joint[0], top[1] - joint[1]
@@ -148,7 +180,7 @@ def bending(name, lower, upper, base, joint, top, loads=(), held=(), pulls=()):
     low, high = ([row for row in loads if (row[2] > joint[1]) is up] for up in (False, True))
     lumped = (*_lump([*lower, *low], below), *_lump([*upper, *high], above))
     lumped += _lump(held, lambda point: _part(above(point), 1))
-    own = _pulls(pulls, move, base, top)
+    own = _pulls(pulls, move, base, top) + thrusting(thrusts, move, base[0])
     return Mechanism(name, tuple(weights), first, own, largest, pieces, lumped=lumped)
 
 

@@ -13,7 +13,7 @@ from studies.assess.verdict import (
     words_of,
 )
 
-OTHERS = {"en": "EN 1998-3", "parts": "NZS 1170.5"}  # by the first part of a check's key
+OTHERS = {"en": "EN 1998-3"}  # by the first part of a check's key
 
 
 def damage(sensitivity, mechanisms, demand_g):

@@ -7,6 +7,7 @@ from studies.assess.anchors import completed_settings
 from studies.assess.checks import confidence
 from studies.assess.demand import eta, floor_demand
 from studies.assess.family import Candidate, Family
+from studies.assess.names import kind_of, said
 from studies.assess.national import spectrum_of, stated_row
 from studies.assess.paper import Table
 from studies.assess.selection import fit_of
@@ -133,7 +134,7 @@ def by_hand(data, candidate, whole=True):
     Where `whole` they say how each number comes about; else they stand two in a row.
     """
     if not candidate.plane:
-        return {"name": candidate.name, "tables": [_by_strips(data, candidate.part)]}
+        return {"name": candidate.name, "tables": [_by_strips(data, candidate)]}
     parts, holds = byhand.parts(data.family, candidate), byhand.pulled(candidate)
     total = byhand.sums(parts, holds)
     found = byhand.results(candidate, total, data.factor)
@@ -152,8 +153,9 @@ def by_hand(data, candidate, whole=True):
     return {"name": candidate.name, "tables": tables}
 
 
-def _by_strips(data, part):
-    """Table of a corner's capacity, demand and verdict."""
+def _by_strips(data, candidate):
+    """Table of capacity, demand and verdict of what does not turn over the whole width."""
+    part, thrust = candidate.part, data.config["assessment"]["arch_thrust_kn"]
     row = verdict.as_stated(data.tables["mechanisms"]).set_index("part").loc[part]
     rows = [
         ("α0", "", f"{row['multiplier']:.4g}"),
@@ -161,8 +163,8 @@ def _by_strips(data, part):
         ("e*", "", f"{row['e_star']:.4g}"),
         ("d0", "", f"{row['d0_m']:.4g} m"),
     ]
-    words = "Both walls up to their cracks, turning about the bisector's normal; by strips. "
-    return _paired(rows + _demand_of(data, part), words)
+    words = said(kind_of(candidate), thrust_kn=thrust or 0.0)
+    return _paired(rows + _demand_of(data, part), f"{words} ")
 
 
 def _paired(results, words=""):

@@ -14,7 +14,7 @@ from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from rocking.mechanics.mechanism import rate
 from rocking.records import G_M_S2
 
-from studies.assess import checks
+from studies.assess import checks, repertory
 from studies.assess.family import NEAR_M
 
 
@@ -87,7 +87,23 @@ def parts(family, candidate):
     if candidate.held_m is not None and top < masonry.top_m - NEAR_M:
         rows = bands(masonry, top, masonry.top_m)
         found += [_band(masonry, a, b, own, move, True) for a, b, own in rows]
+    if candidate.crack_deg:
+        found.append(
+            _wedges(repertory.wedge_masses(family, candidate.foot_m, candidate.crack_deg), move)
+        )
     return found + _loads(family, candidate)
+
+
+def _wedges(masses, move):
+    """`Part` of the return walls' wedges, all together."""
+    weight = sum(w for w, *_ in masses)
+    y, z = (sum(row[0] * row[k] for row in masses) / weight for k in (1, 2))
+    rates = [(w, *rate(move((y, z)), 0.0)) for w, y, z in masses]
+    out, up, square = (
+        sum(w * value for w, value in rows) / weight
+        for rows in zip(*(((w, x), (w, v), (w, x**2)) for w, x, v in rates), strict=True)
+    )
+    return Part("wedges of the return walls", weight, y, z, out, up, square)
 
 
 def _loads(family, candidate):
@@ -116,7 +132,7 @@ def pulled(candidate):
     found = []
     for pull in candidate.mechanism.pulls:
         height = pull.path(0.0)[1].real
-        name = "courses" if pull.fades else "tie or anchor"
+        name = "courses" if pull.fades else "tie or anchor" if pull.force_n > 0.0 else "thrust"
         out = rate(pull.path, 0.0)[0]
         found.append(Pulled(name, pull.force_n, height, pull.slack_m, pull.reach_m, out))
     return sorted(found, key=lambda row: row.height_m)

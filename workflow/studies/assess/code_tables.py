@@ -13,7 +13,7 @@ from smdof.spectra import response_spectrum
 from studies.assess.code_checks import code_checks, governing, least
 from studies.assess.demand import floor_demand
 from studies.assess.family import Family, pulls_of, stretched
-from studies.assess.sites import site_of
+from studies.assess.sites import EXTENT, site_of
 from studies.assess.slv import Slv
 
 CHECKS = [
@@ -86,8 +86,9 @@ def sensitivity(settings, demand, site):
 
 def stretched_site(site, factor):
     """A `family.Site` with every height times a factor."""
-    hinge, held = (None if v is None else factor * v for v in (site.hinge_m, site.held_m))
-    return site._replace(foot_m=factor * site.foot_m, hinge_m=hinge, held_m=held)
+    own = site.hinge_m, site.held_m, site.top_m
+    hinge, held, top = (None if v is None else factor * v for v in own)
+    return site._replace(foot_m=factor * site.foot_m, hinge_m=hinge, held_m=held, top_m=top)
 
 
 def mechanism_row(one, found, tie_kn, kind, letter_g):
@@ -106,6 +107,7 @@ def mechanism_row(one, found, tie_kn, kind, letter_g):
         "hinge_m": one.hinge_m,
         "held_m": one.held_m,
         "side": one.side,
+        **{key: getattr(one, key) for key in EXTENT},
         "place": one.place,
         "multiplier": mechanism.multiplier(),
         "participating_mass_kg": mass,

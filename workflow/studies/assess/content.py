@@ -15,7 +15,7 @@ from studies.assess.walls import named as wall_named
 SHOWN = (
     *("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height"),
     *("en_sd_ground", "en_sd_height", "en_nc_ground", "en_nc_height"),
-    *("parts_ground", "parts_height", "parts_slow", "housner"),
+    "housner",
 )
 APART = 0.1  # of two solvers' displacements, from which on it is said
 

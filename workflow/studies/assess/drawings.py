@@ -3,8 +3,9 @@
 import numpy as np
 from matplotlib.patches import Polygon, Rectangle
 
-from yade_scripts.model.facades import Facade
+from studies.assess import drawn_bodies
 from yade_scripts.model.floors import place_of
+from yade_scripts.model.ties import rods_at
 
 SMALL = 6.5  # points, of numbers
 AROUND_MM, MARGIN_MM = 23.0, 22.0  # paper for numbers: on either side, above and below
@@ -71,7 +72,7 @@ def _titled(axis, x, z, words):
 
 def _elevation(axis, family, candidate, scale):
     """`scale`: metres a millimetre of paper."""
-    m, section = family.masonry, family.section
+    m, facade = family.masonry, family.facade
     half, h, top = 0.5 * m.width_m, m.height_m, m.top_m
     outline = [(-half, 0.0), (half, 0.0)]
     if m.gable_m > 1e-9:
@@ -83,15 +84,14 @@ def _elevation(axis, family, candidate, scale):
         axis.add_patch(Rectangle((x0, z0), x1 - x0, z1 - z0, fc="1", ec="0", lw=0.7))
     for z0, *_ in m.shape.storeys[1:]:
         axis.plot([-half, half], [z0, z0], color="0.4", lw=0.6, ls=":")
-    for row in section["floors"]:
-        axis.plot([-half, half], [row["height_m"]] * 2, color="0.2", lw=0.8, ls="--")
-    facade = Facade.of(section)
+    for row in facade.floors:
+        axis.plot([-half, half], [row.height_m] * 2, color="0.2", lw=0.8, ls="--")
     for row in facade.ties:
         z = row.height_m
-        across = np.linspace(-0.8 * half, 0.8 * half, row["count"]) if row["count"] > 1 else [0.0]
+        across = rods_at(row, m.width_m)
         axis.plot(across, [z] * len(across), "x", color="0", ms=4.5, mew=1.3)
-    if not candidate.plane:
-        axis.add_patch(Polygon(_corner(family, candidate), fc="none", ec="0", lw=1.1, ls="--"))
+    for outline in drawn_bodies.on_elevation(family, candidate):
+        axis.add_patch(Polygon(outline, fc="none", ec="0", lw=1.1, ls="--"))
     if family.base_m > 0.0:
         below = (-half, -family.base_m)
         axis.add_patch(Rectangle(below, 2 * half, family.base_m, fc="1", ec="0.5", hatch="//"))
@@ -100,9 +100,9 @@ def _elevation(axis, family, candidate, scale):
     span = ground, max(top, ground + 3.0 * scale)
     own: dict[float, list] = {0.0: [], round(h, 3): ["eaves"] if top > h else [], round(top, 3): []}
     for word, heights in (
-        ("floor", [row["height_m"] for row in section["floors"]]),
+        ("floor", [row.height_m for row in facade.floors]),
         ("step", [z for z, *_ in m.shape.storeys[1:] if _steps(m, z)]),
-        ("tie", [row["height_m"] for row in section["ties"]]),
+        ("tie", [row.height_m for row in facade.ties]),
         ("ground", [ground] if family.base_m > 0.0 else []),
     ):
         for z in heights:
@@ -119,36 +119,33 @@ def _elevation(axis, family, candidate, scale):
     _titled(axis, 0.0, top + 3.0 * scale, "elevation, from outside")
 
 
-def _corner(family, candidate):
-    """Outline of what a corner takes of the elevation, up to its crack (`Masonry.wedge`)."""
-    m, foot = family.masonry, candidate.foot_m
-    edge = 0.5 * m.width_m * (-1.0 if candidate.name.startswith("left") else 1.0)
-    reach = (m.height_m - foot) * np.tan(np.radians(family.settings["corner_crack_deg"]))
-    inner = edge * (1.0 - 2.0 * min(reach / m.width_m, 1.0))
-    met = foot + (m.height_m - foot) * min(m.width_m / reach, 1.0)
-    return [(edge, foot), (edge, m.height_m), (inner, m.height_m), (inner, met)]
-
-
 def _section(axis, family, candidate, scale):
-    m, section = family.masonry, family.section
+    m, facade = family.masonry, family.facade
     for z0, z1, y0, y1 in m.shape.storeys:
         axis.add_patch(Rectangle((y0, z0), y1 - y0, z1 - z0, fc="0.75", ec="0", lw=0.9))
+    for z0, z1, y0, y1 in m.shape.cornices:
+        axis.add_patch(Rectangle((y0, z0), y1 - y0, z1 - z0, fc="0.75", ec="0", lw=0.7))
+    for _, z in family.thrusts:
+        away = {"arrowstyle": "->", "lw": 1.0, "color": "0"}
+        y = m.faces(z)[1]
+        axis.annotate("", (y + 7 * scale, z), (y, z), arrowprops=away)
     if m.gable_m > 1e-9:
         y0, y1 = m.shape.storeys[-1][2:]
         axis.add_patch(Rectangle((y0, m.height_m), y1 - y0, m.gable_m, fc="0.9", ec="0", lw=0.7))
     depth = 14 * scale
     axis.add_patch(Rectangle((-depth, 0.0), depth, m.height_m, fc="0.97", ec="0.7", hatch="//"))
-    b, top = section["thickness_m"], m.top_m
+    b, top = facade.thickness_m, m.top_m
     ground = -family.base_m
     if family.base_m > 0.0:
         axis.add_patch(Rectangle((-depth, ground), depth + b, family.base_m, fc="1", ec="0.5"))
     axis.plot([-1.2 * depth, b + 16 * scale], [ground] * 2, color="0", lw=1.2)
-    if candidate.plane:
+    if not candidate.side:
         _turned(axis, m, candidate.mechanism)
+    for outline in drawn_bodies.on_section(family, candidate):
+        axis.add_patch(Polygon(outline, fc="none", ec="0", lw=0.9, ls="--"))
     edge = family._edge(candidate.foot_m, family.settings["hinge_inset_m"])
     axis.plot(edge, candidate.foot_m, "o", ms=3.5, color="0")
     held: dict[float, str] = {}
-    facade = Facade.of(section)
     for row in facade.ties:
         z = row.height_m
         axis.plot([-depth, m.faces(z)[1]], [z, z], color="0", lw=1.3)
@@ -159,6 +156,8 @@ def _section(axis, family, candidate, scale):
         axis.plot([-depth, middle], [z, z], color="0.2", lw=0.9, ls="--")
         anchor = f", anchors {row.anchor_kn:g} kN" if row.anchor_kn else ""
         held[z] = f"{held.get(z, '')} floor {row.load_kn:g} kN{anchor}"
+    for force, z in family.thrusts:
+        held[z] = f"{held.get(z, '')} thrust {1e-3 * force:.3g} kN"
     values = sorted(held)
     span = ground, max(top, ground + 3.0 * scale)
     for z, place in zip(values, spread(values, 3.2 * scale, *span), strict=True):
@@ -229,11 +228,11 @@ def facade(family, candidate, wide_mm, high_mm, figure):
 def words(family, candidate):
     """What the drawing shows, in words."""
     m = family.masonry
-    openings, ties = len(m.shape.openings), len(family.section["ties"])
+    openings, ties = len(m.shape.openings), len(family.facade.ties)
     gable = f" to the eaves, gable {m.gable_m:g} m" if m.gable_m > 1e-9 else ""
     return (
         f"Façade {m.width_m:g} m wide, {m.height_m:g} m high{gable}, "
-        f"{family.section['thickness_m']:g} m thick at its base, "
+        f"{family.facade.thickness_m:g} m thick at its base, "
         f"{openings} opening{'' if openings == 1 else 's'}, "
         f"{ties} row{'' if ties == 1 else 's'} of ties; weakest mechanism: {candidate.name}."
     )

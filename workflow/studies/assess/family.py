@@ -21,17 +21,19 @@ that it lasts until collapse.
 """
 
 import math
+from dataclasses import replace
 from typing import NamedTuple
 
-from rocking.mechanics.blocks import Held, bending, interlocking, toppling
+from rocking.mechanics.blocks import Held, bending, interlocking, leaned, toppling
 from rocking.mechanics.closed_forms import Interlocked
-from rocking.mechanics.mechanism import WHOLE, Mechanism
+from rocking.mechanics.mechanism import WHOLE, Mechanism, turning
 
-from studies.assess import weakest
+from studies.assess import repertory, weakest
 from studies.assess.checks import initial_period
 from studies.assess.masonry import Masonry
 from studies.assess.sites import CORNERS, LEAST_PART_M, WHOLE_PART
-from yade_scripts.model.facades import Facade
+from yade_scripts.model.beside import slices_of
+from yade_scripts.model.facades import ROWS, Facade
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.holds import FRICTION, holds
 
@@ -47,7 +49,7 @@ def stretched(section, factor):
     found = {**section, "height_m": factor * section["height_m"]}
     for key in ("gable_height_m", "parapet_height_m"):
         found[key] = factor * section[key]
-    for rows in ("floors", "ties", "openings", "thickness_steps"):
+    for rows in ROWS:
         found[rows] = [
             {k: factor * v if k in ("height_m", "z_m") else v for k, v in row.items()}
             for row in section[rows]
@@ -69,30 +71,37 @@ class Candidate(NamedTuple):
     side: int = 0  # of a corner, −1 or 1; 0 turns over the whole width, as the dynamic models do
     part: str = ""  # short name of letters, digits, `_` and `.`, unique within a façade
     letter: Mechanism | None = None  # with the links that give way early, where these are left out
+    crack_deg: float | None = None  # these five as of `sites.Site`
+    left_m: float | None = None
+    right_m: float | None = None
+    middle_m: float | None = None
+    top_m: float | None = None
 
     @property
     def plane(self):
         """Whether it turns over the whole width."""
-        return not self.side
+        return not self.side and self.left_m is None
 
     @property
     def whole(self):
-        """Whether it is the whole façade about its base."""
-        return self.plane and self.foot_m == 0.0 and self.held_m is None
+        """Whether it is the whole façade about its base, without a wedge."""
+        alone = self.held_m is None and self.crack_deg is None
+        return self.plane and self.foot_m == 0.0 and alone
 
 
-def pulls_of(section, added_n=0.0):
-    """What holds section facade as `Held`, rigid up to its capacity (`holds`).
+def pulls_of(facade, added_n=0.0):
+    """What holds a façade (a `Facade` or its section) as `Held`, rigid up to its capacity.
 
     With `added_n` one more row of that capacity, at the top of what the return walls hold.
     """
+    facade = Facade.of(facade)
     found = [
-        Held(one.capacity_n, one.height_m, one.reach_m, False, one.slack_m)
-        for one in holds(section)
+        Held(one.capacity_n, one.height_m, one.reach_m, False, max(one.slack_m, 0.0))
+        for one in holds(facade)
         if one.kind != FRICTION
     ]
     if added_n > 0.0:
-        found.append(Held(added_n, section["height_m"], ADDED_REACH_M))
+        found.append(Held(added_n, facade.height_m, ADDED_REACH_M))
     return found
 
 
@@ -109,19 +118,21 @@ class Family:
         """Read shape, loads and ties."""
         self.slv = slv
         self.wall, self.settings = sections["return_wall"], sections["assessment"]
-        self.section = {**sections["facade"], "courses": 0}  # by hand the masonry is one body
-        section, settings = self.section, self.settings
-        self.masonry = Masonry(section)
-        self.base_m = section["base_height_m"]
+        facade = replace(Facade.of(sections["facade"]), courses=0)  # by hand it is one body
+        self.facade, settings = facade, self.settings
+        self.masonry = Masonry(facade)
+        self.base_m = facade.base_height_m
         self.height_m = self.masonry.height_m
         inset = settings["hinge_inset_m"]
-        if not 0.0 <= inset <= 0.5 * section["thickness_m"]:
+        if not 0.0 <= inset <= 0.5 * facade.thickness_m:
             raise ValueError(
                 f"assessment.hinge_inset_m = {inset:g}: expected 0 to half of "
-                f"facade.thickness_m = {section['thickness_m']:g} (m)"
+                f"facade.thickness_m = {facade.thickness_m:g} (m)"
             )
-        self.pulls = pulls_of(section, added_n)
+        self.lean_rad = math.radians(facade.tilt_deg)
+        self.pulls = pulls_of(facade, added_n)
         self.loads = self._loads()
+        self.thrusts = [(row.force_n, row.height_m) for row in facade.thrusts]
         self.pushes = [(1e3 * settings["pushing_kn"], self.height_m)]
 
     def _loads(self):
@@ -129,8 +140,7 @@ class Family:
         load, arm = self.settings["roof_load_kn"], self.settings["roof_arm_m"]
         if load is None:
             shape = self.masonry.shape
-            rows = Facade.of(self.section).floors
-            return [(row.load_n, *place_of(row, shape)[1:]) for row in rows]
+            return [(row.load_n, *place_of(row, shape)[1:]) for row in self.facade.floors]
         back, front = self.masonry.faces(self.height_m, above=False)
         y = 0.5 * (back + front) if arm is None else back + arm
         return [(1e3 * load, y, self.height_m)] if load else []
@@ -156,8 +166,10 @@ class Family:
             pulls.append(self._interlocked(foot_m))
         loads = [row for row in self.loads if row[2] >= foot_m + (NEAR_M if foot_m else 0.0)]
         pushes = [row for row in self.pushes if row[1] > foot_m + NEAR_M]
-        masses = m.masses(foot_m, m.top_m)
-        found = toppling(name, masses, hinge, (hinge[0], m.top_m), loads, pulls, pushes)
+        masses, thrusts = m.masses(foot_m, m.top_m), self.thrusting(foot_m)
+        top = hinge[0], m.top_m
+        found = toppling(name, masses, hinge, top, loads, pulls, pushes, thrusts)
+        found = leaned(found, self.lean_rad)
         free = foot_m >= self.height_m - NEAR_M  # above all that the return walls hold
         stated = self.settings["height_ratio"]
         place = self._place(foot_m, max(self.height_m, foot_m))
@@ -168,9 +180,13 @@ class Family:
         on_ground = self.base_m + foot_m <= 0.0
         return Candidate(name, found, foot_m, place, on_ground, t0, part=own)
 
+    def thrusting(self, foot_m, below_m=math.inf):
+        """Static thrusts between two heights: (force_n, height_m)."""
+        return [row for row in self.thrusts if foot_m + NEAR_M < row[1] < below_m - NEAR_M]
+
     def _period(self, foot_m, top_m):
         back, front = self.masonry.faces(foot_m)
-        e = CRACKED * 1e6 * self.section["e_mpa"]
+        e = CRACKED * 1e6 * self.facade.e_mpa
         return initial_period(top_m - foot_m, front - back, self.masonry.unit_weight, e)
 
     def _interlocked(self, foot_m):
@@ -187,13 +203,23 @@ class Family:
         m = self.masonry
         foot = "foot of the gable" if m.gable_m > NEAR_M else "foot of the parapet"
         rows = [(self.height_m, foot)] if m.top_m > self.height_m else []
-        rows += [(row["height_m"], "tie") for row in self.section["ties"]]
-        rows += [(row["height_m"], "floor") for row in self.section["floors"]]
+        rows += [(row.height_m, "tie") for row in self.facade.ties]
+        rows += [(row.height_m, "floor") for row in self.facade.floors]
+        rows += [(z, "thrust") for _, z in self.thrusts]
         rows += [(z0, "sill of an opening") for *_, z0, _ in m.shape.openings]
         rows += [(z1, "head of an opening") for *_, z1 in m.shape.openings]
         above = zip(m.shape.storeys, m.shape.storeys[1:], strict=False)
-        rows += [(up[0], "change of thickness") for low, up in above if low[2:] != up[2:]]
-        every = [*m.edges_m, *(p.height_m for p in self.pulls), *(row[2] for row in self.loads)]
+        slices = slices_of(self.facade)  # what tapers changes at no height
+        rows += [
+            (up[0], "change of thickness")
+            for low, up in above
+            if low[2:] != up[2:] and up[0] not in slices
+        ]
+        every = [
+            *(z for z in m.edges_m if z not in slices),
+            *(p.height_m for p in self.pulls),
+            *(row[2] for row in self.loads),
+        ]
         rows += [(z, "change") for z in every]  # whatever it is that has no word above
         if self.settings["interlocking_course_m"]:
             rows += [(self.height_m * k / FEET, "joint of courses") for k in range(1, FEET)]
@@ -253,15 +279,26 @@ class Family:
             above += m.masses(high_m, m.top_m)
         return bending(
             "vertical bending",
-            m.masses(low_m, hinge_m),
-            m.masses(hinge_m, high_m),
-            (self._edge(low_m, inset), low_m),
-            joint,
-            (outer, high_m),
-            between,
-            above,
+            self._leaned(m.masses(low_m, hinge_m)),
+            self._leaned(m.masses(hinge_m, high_m)),
+            self._leaned_point((self._edge(low_m, inset), low_m)),
+            self._leaned_point(joint),
+            self._leaned_point((outer, high_m)),
+            self._leaned(between),
+            self._leaned(above),
             [p for p in self.pulls if low_m + NEAR_M < p.height_m < high_m - NEAR_M],
+            self.thrusting(low_m, high_m),
         )
+
+    def _leaned_point(self, point):
+        """A point (y, z) of a wall that leans, turned about its outer edge at the base."""
+        if not self.lean_rad:
+            return point
+        edge = self.masonry.faces(0.0)[1]
+        return tuple(v.real for v in turning(point, (edge, 0.0))(self.lean_rad))
+
+    def _leaned(self, masses):
+        return [(w, *self._leaned_point((y, z))) for w, y, z in masses]
 
     def corner(self, side, foot_m=None):
         """A corner that turns about the bisector's normal through its outer edge.
@@ -282,13 +319,21 @@ class Family:
             for w, x, y, z in self.masonry.wedge(foot_m, tangent, side)
         ]
         masses += self._return_wedge(foot_m, tangent, self.wall["thickness_m"], root)
-        found = toppling("corner", masses, (-inset, foot_m), (-inset, self.height_m))
+        thrust = self.settings["hip_thrust_kn"]
+        hinge, top = (-inset, foot_m), (-inset, self.height_m)
+        found = toppling("corner", masses, hinge, top, thrusts=[(1e3 * thrust, self.height_m)])
         name, on_ground = (
             f"{CORNERS[side]} corner above {foot_m:.2f} m",
             self.base_m + foot_m <= 0.0,
         )
         given = name, found, foot_m, self._place(foot_m, self.height_m), on_ground
         return Candidate(*given, side=side, part=f"{CORNERS[side]}_corner")
+
+    def between(self, mechanism, foot_m, top_m, part, ends):
+        """`Candidate` of a mechanism between two ends along the façade, held up to a height."""
+        place, on_ground = self._place(foot_m, top_m), self.base_m + foot_m <= 0.0
+        own = Candidate(mechanism.name, mechanism, foot_m, place, on_ground, part=part)
+        return own._replace(left_m=ends[0], right_m=ends[1])
 
     def _return_wedge(self, foot_m, tangent, depth_m, root):
         """Its part of the return wall, behind the façade's thickness."""
@@ -303,6 +348,8 @@ class Family:
 
     def at(self, site):
         """`Candidate` of a `Site`."""
+        if site.crack_deg is not None or site.left_m is not None:
+            return repertory.at(self, site)
         if site.side:
             return self.corner(site.side, site.foot_m)
         if site.held_m is not None:
@@ -321,7 +368,8 @@ class Family:
 
     def sites(self):
         """`Site` of every mechanism, the whole façade first."""
-        return weakest.parts(self) + weakest.spans(self) + weakest.corners(self)
+        plain = weakest.parts(self) + weakest.spans(self) + weakest.corners(self)
+        return plain + repertory.sites(self)
 
     def spans(self):
         """Vertical bending between every two levels that hold, where it falls."""

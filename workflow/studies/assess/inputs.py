@@ -94,6 +94,11 @@ def check_mechanisms(resolved):
             "assess: facade.hinges_m: expected none; the checks find the weakest mechanism, "
             "vertical bending among them"
         )
+    if resolved["facade"]["wedge_deg"]:
+        raise ValueError(
+            f"assess: facade.wedge_deg = {resolved['facade']['wedge_deg']:g}: expected 0 (°); the "
+            "checks find the weakest wedge, or take that of assessment.crack_deg"
+        )
     if any(resolved["part"].values()):
         raise ValueError(
             "assess: part: expected none; every part that fails first is shaken, beside the whole"

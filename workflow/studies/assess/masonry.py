@@ -10,32 +10,40 @@ import itertools
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from rocking.mechanics.mechanism import gauss
 
+from yade_scripts.model.beside import tapered
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.shape import shape_of
 
 STRIPS = 40  # of a wedge, whose edge crosses openings anywhere
 
 
 class Masonry:
-    """Weights of a façade (section facade) by height.
+    """Weights of a façade, a `Facade` or its section, by height.
 
     height_m is what the return walls hold, top_m the top of the whole façade, edges_m where
     thickness or width changes.
     """
 
-    def __init__(self, section):
+    def __init__(self, facade):
         """Read the shape."""
-        self.shape = shape_of(section)
-        self.unit_weight = section["density_kg_m3"] * GRAVITY_M_S2
-        self.width_m = section["width_m"]
-        self.height_m, self.top_m = section["height_m"], self.shape.top_m
+        self.facade = Facade.of(facade)
+        self.shape = shape_of(self.facade)
+        self.tapers = bool(self.facade.top_thickness_m)
+        self.unit_weight = self.facade.density_kg_m3 * GRAVITY_M_S2
+        self.width_m = self.facade.width_m
+        self.height_m, self.top_m = self.facade.height_m, self.shape.top_m
         storeys, openings = self.shape.storeys, self.shape.openings
         edges = {0.0, self.height_m, self.top_m, *(z for s in storeys for z in s[:2])}
         edges |= {z for o in openings for z in o[2:]}
+        edges |= {z for c in self.shape.cornices for z in c[:2]}
         self.edges_m = sorted(edges)
         self.gable_m = self.top_m - max(s[1] for s in storeys)
 
     def faces(self, height_m, above=True):
         """Places of back and front face at a height, on one side of a step [m]."""
+        if self.tapers and 0.0 <= height_m <= self.height_m - (1e-6 if above else 0.0):
+            b, t = self.facade.thickness_m, tapered(self.facade, height_m)
+            return (b - t, b) if self.facade.flush_face == "outer" else (0.0, t)
         eps = 1e-6 if above else -1e-6
         last = self.shape.storeys[-1]
         return self.shape.faces_at(min(max(height_m + eps, 0.0), last[1]))
@@ -51,15 +59,22 @@ class Masonry:
                 found -= max(0.0, min(x1, half) - max(x0, -half))
         return max(found, 0.0)
 
+    def projecting(self, height_m):
+        """Cornices at a height: (y0, y1)."""
+        return [(y0, y1) for z0, z1, y0, y1 in self.shape.cornices if z0 < height_m < z1]
+
     def masses(self, low_m, high_m):
         """Weights between two heights: (weight_n, y_m, z_m), two an interval of `edges_m`."""
         cuts = [low_m, *(z for z in self.edges_m if low_m < z < high_m), high_m]
         found = []
         for a, b in itertools.pairwise(cuts):
-            back, front = self.faces(0.5 * (a + b))
             for z in gauss(a, b):
+                back, front = self.faces(z)
                 weight = 0.5 * (b - a) * self.width(z) * (front - back) * self.unit_weight
                 found.append((weight, 0.5 * (back + front), z))
+                for y0, y1 in self.projecting(z):
+                    weight = 0.5 * (b - a) * self.width_m * (y1 - y0) * self.unit_weight
+                    found.append((weight, 0.5 * (y0 + y1), z))
         return [row for row in found if row[0] > 0.0]
 
     @property
@@ -98,4 +113,7 @@ class Masonry:
             weight = wide * height * (front - back) * self.unit_weight
             if weight > 0.0:
                 found.append((weight, first / wide, 0.5 * (back + front), z))
+            for y0, y1 in self.projecting(z) if reach > 0.0 else ():
+                weight = reach * height * (y1 - y0) * self.unit_weight
+                found.append((weight, 0.5 * reach, 0.5 * (y0 + y1), z))
         return found

@@ -17,6 +17,7 @@ from studies.assess import (
     walls,
 )
 from studies.assess.checks import LEAST_KNOWN
+from studies.assess.names import not_asked
 from studies.assess.paper import Picture
 from studies.assess.sites import WHOLE_PART
 from studies.assess.verdict import g3, per_cent, powered
@@ -56,7 +57,7 @@ def context(data, digest):
             ("Which ties?", ties_said.answer(data)),
             ("How far?", capacity_said(data)),
             ("How often?", rate_said(data)),
-            ("Not covered", NOT_COVERED),
+            ("Not covered", f"{NOT_COVERED} {not_asked(own['mechanisms'])}".strip()),
         ],
         "rests_on": rests_on(data),
         "mechanisms": content.by_mechanism(data),
@@ -200,13 +201,15 @@ def rests_on(data):
         f"{'By hand the' if courses else 'The'} façade is rigid blocks of "
         f"{f['density_kg_m3']:g} kg/m³ on dry joints; it does not crush or fall "
         "apart, and the mechanisms know ties and anchors but no friction of floors.",
-        "Every part turns over the whole width, but for the corners, which end at the eaves and "
-        "take the return wall as one without openings.",
+        "Every part turns over the whole width, but for corners, horizontal bending and parts of "
+        "the width. Corners end at the eaves and take the return wall as one without openings.",
         f"In the dynamic models each mechanism is {stack} on the building, or two rigid parts that "
         "bend, and leans on the return walls behind it"
         + content.floors_said(f["floors"], data.config["assessment"]["floor_friction"]),
-        "The Circolare was read in a public transcription with page numbers, EN 1998-3 and NZS "
-        "1170.5 at second hand (appendix D).",
+        "The Circolare was read in a public transcription with page numbers, EN 1998-3 at second "
+        "hand (appendix D). No percentage of New Zealand's new building standard is given: its "
+        "rocking check by displacements could not be read, and the force check of NZS 1170.5 says "
+        "where rocking begins, not where a wall falls (code_checks.csv has it).",
         f"Confidence factor FC = {data.factor:g}.",
         *early_said(t["mechanisms"]),
         *beta_said(data),

@@ -19,16 +19,18 @@ from rocking.tables import read_frame
 
 from studies.assess.anchors import completed
 from studies.assess.dynamic_check import Limits, limits_of
-from studies.assess.sites import WHOLE_PART
+from studies.assess.sites import EXTENT, WHOLE_PART
 
 COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "side", "pga_fails_g"]
-COLUMNS += ["d0_m", "d_slv_m", "d_slc_m", "shaken", "why_not", "why_words"]
+COLUMNS += [*EXTENT, "d0_m", "d_slv_m", "d_slc_m", "shaken", "why_not", "why_words"]
 SETTLED = (  # keys that say what holds a façade while it is shaken
     *("floor_friction", "anchor_plate_m", "masonry_shear_mpa", "masonry_compression_mpa"),
     "confidence_factor",
 )
 CORNER, FAR, STOCKY, REFUSED = "corner", "far", "stocky", "refused"  # why one is not shaken
+NARROW = "narrow"
 WORDS = {
+    NARROW: "which take a part of the width",
     CORNER: "turns about a corner, not over the whole width",
     STOCKY: "lower than twice its thickness, so that it slides before it rocks",
 }
@@ -37,6 +39,14 @@ WORDS = {
 def heights(one):
     """Foot, held level and hinge of a `family.Candidate`, as `Case.part` takes them."""
     return one.foot_m, one.held_m, one.hinge_m
+
+
+def part_of(case, one):
+    """Case of a mechanism, a `family.Candidate` or a row of `chosen`."""
+    foot, *held = (None if v is None or pd.isna(v) else v for v in heights(one))
+    crack_deg = one.crack_deg
+    crack_deg = 0.0 if crack_deg is None or pd.isna(crack_deg) else crack_deg
+    return case.part(foot, *held, wedge_deg=crack_deg)
 
 
 def is_far(table):
@@ -78,12 +88,13 @@ def why_not(one, pga_g, least_g, tried):
     `least_g` is the PGA by hand from which on it is left out; `tried` has a case of each model.
     """
     if not one.plane:
-        return CORNER, WORDS[CORNER]
+        why = CORNER if one.side else NARROW
+        return why, WORDS[why]
     if not one.whole and pga_g > least_g:
         return FAR, f"fails by hand at {pga_g:.3g} g"
     try:
         for case in tried:
-            case.part(*heights(one))
+            part_of(case, one)
     except TooStockyError:
         return STOCKY, WORDS[STOCKY]
     except ValueError as error:
@@ -101,6 +112,7 @@ def chosen(ranked, tried, demand_g, within):
     for pga_g, one, _ in ranked:
         why = why_not(one, pga_g, within * demand_g, tried)
         about = label(one), one.name, *heights(one), one.side, pga_g
+        about = *about, *(getattr(one, key) for key in EXTENT)
         rows.append((*about, *limits_of(one.mechanism), int(not why[0]), *why))
     return pd.DataFrame(rows, columns=COLUMNS)
 
@@ -114,8 +126,7 @@ def cases(case, table):
         if row.part == WHOLE_PART:
             yield row, case
         else:
-            held = (None if pd.isna(v) else v for v in (row.held_m, row.hinge_m))
-            yield row, case.part(row.foot_m, *held)
+            yield row, part_of(case, row)
 
 
 def cases_of(case, path=None):

@@ -5,6 +5,7 @@ from typing import NamedTuple
 LEAST_PART_M = 0.3  # lower parts are no mechanism of a façade
 WHOLE_PART = "whole"
 CORNERS = {-1: "left", 1: "right"}
+EXTENT = ("crack_deg", "left_m", "right_m", "middle_m", "top_m")  # columns of tables
 
 
 class Site(NamedTuple):
@@ -16,6 +17,11 @@ class Site(NamedTuple):
     held_m: float | None = None
     side: int = 0
     words: str = ""  # what is at the foot
+    crack_deg: float | None = None  # of a wedge of the return walls that goes along
+    left_m: float | None = None  # along the façade from its middle: ends of what moves, where that
+    right_m: float | None = None  # is not its whole width
+    middle_m: float | None = None  # where it opens, of horizontal bending
+    top_m: float | None = None  # and the height at which its cracks end
 
 
 def site_of(candidate):
@@ -23,7 +29,8 @@ def site_of(candidate):
     words = getattr(candidate, "words", "")
     hinge_m, held_m = map(_known, (candidate.hinge_m, candidate.held_m))
     foot_m, side = float(candidate.foot_m), int(candidate.side)
-    return Site(candidate.part, foot_m, hinge_m, held_m, side, words)
+    more = {key: _known(getattr(candidate, key, None)) for key in EXTENT}
+    return Site(candidate.part, foot_m, hinge_m, held_m, side, words, **more)
 
 
 def _known(value):

@@ -116,6 +116,26 @@ FORMULAS = {
     "parts": Formula(
         "8.2–8.5", "F = C(0) C_Hi C_i(T_p) C_ph R_p W ≤ 3.6 W", NEW_ZEALAND, SECOND_HAND
     ),
+    "wedge": Formula(
+        "compound overturning",
+        "α0 = [W b/2 + V (b + h tan β/3) + F h/3]/(W h/2 + 2 V h/3), V the weight of the return "
+        "walls' wedges behind cracks at β from the vertical",
+        "mechanics",
+        DERIVED,
+    ),
+    "crack": Formula(
+        "eq. 2–3 of Szabó and others (2023)",
+        "friction of interlocked courses on a crack at β: F (1 − tan β/tan β_b), tan β_b = l/h_b",
+        "Casapulla and others (2021)",
+        SECOND_HAND,
+    ),
+    "hanging": Formula(
+        "horizontal bending",
+        "α0 = [Σ P δz + H b (1/L1 + 1/L2) δ]/Σ P δx of two triangles about diagonal cracks; of a "
+        "plain wall 3 b/(2 D) + 3 H b (1/L1 + 1/L2)/W",
+        "mechanics",
+        DERIVED,
+    ),
     "energy": Formula(
         "Housner (1963)", "V = √(8gR(1 − cos α)/3)/cos α against S_v", "mechanics", DERIVED
     ),

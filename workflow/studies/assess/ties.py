@@ -394,7 +394,7 @@ def held_by(mechanism, rows):
 
     Read off its own pulls: a row at or below its foot, or where it is kept in place, is none.
     """
-    pulled = [float(pull.path(0.0)[1].real) for pull in mechanism.pulls]
+    pulled = [float(p.path(0.0)[1].real) for p in mechanism.pulls if p.force_n > 0.0]
     own = [
         k
         for k, row in enumerate(rows)

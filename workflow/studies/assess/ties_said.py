@@ -4,12 +4,13 @@ import math
 
 from studies.assess.anchors import CRUSHING, PUNCHING
 from studies.assess.paper import Table
-from studies.assess.shaken import CORNER, FAR, STOCKY
+from studies.assess.shaken import CORNER, FAR, NARROW, STOCKY
 from studies.assess.verdict import g3, per_cent, the, together, words_of
 
 BY = {PUNCHING: "it punches through the wall", CRUSHING: "the wall crushes under it"}
 REASONS = {
     CORNER: "not over the whole width",
+    NARROW: "not over the whole width",
     STOCKY: "too low to rock",
     FAR: "far from the demand",
 }

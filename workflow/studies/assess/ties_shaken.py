@@ -14,7 +14,7 @@ from typing import NamedTuple
 from rocking.collapse.case import Variant
 
 from studies.assess.dynamic_check import FINE, decided, limits_of
-from studies.assess.shaken import cases, chosen, heights
+from studies.assess.shaken import cases, chosen, heights, part_of
 from yade_scripts.model.part import LEVEL_M, NEAR_M
 
 TRIED = ["forces_kn", "model", "part", "mechanism", "exceed_d0", "mean_d_m", "d_slv_m"]
@@ -101,7 +101,7 @@ class Shaken:
             return True
         case = next(case for case in tried if case.model == failing.model)
         one = known[failing.part]
-        part = case if one.whole else case.part(*heights(one))
+        part = case if one.whole else part_of(case, one)
         return self._run(rows, part, failing.part, one)["holds"]
 
     def _parts(self, rows, model):

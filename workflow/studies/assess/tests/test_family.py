@@ -8,7 +8,7 @@ from rocking.configuration import config
 from rocking.mechanics.blocks import PlainFacade, overturning, two_blocks
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from studies.assess import weakest
-from studies.assess.drawings import _corner
+from studies.assess.drawn_bodies import _corner
 from studies.assess.family import Family, stretched
 from studies.assess.masonry import Masonry
 

@@ -112,8 +112,9 @@ def test_what_pushes_takes_from_the_multiplier_and_nothing_from_d0():
 
 
 def test_the_weakest_hinge_below_several_loads_is_that_below_their_resultant():
-    section = config.resolve({"facade": PLAIN})["facade"]
-    shipped = {"height_m": 6.0, "bearing": "point", "load_inertia": None}
+    loaded = {"facade": {**PLAIN, "floors": [{"height_m": 6.0, "load_kn": 1.0}]}}
+    section = config.resolve(loaded)["facade"]
+    (shipped,) = section["floors"]
     rows = [
         {**shipped, "load_kn": 10.0, "arm_m": 0.05},
         {**shipped, "load_kn": 30.0, "arm_m": 0.45},

@@ -1,0 +1,116 @@
+"""Dense searches for weaker wedges, horizontal bending and part widths than a report lists.
+
+Of façades drawn at random (`drawn_facades`), with interlocked courses in every second one: crack
+angles every 2.5° and feet every 25 cm; where a span opens, every fifth of it from a tenth on; every
+pair of lines.
+
+    .venv/bin/python workflow/studies/assess/trials/repertory.py --first 0 --count 50 --seed 71
+
+Prints a façade a line: by kind the least PGA of the dense search over that of the same kind in the
+list (of compound overturning over the list's overturning too, since a vertical crack is that), and
+at the end how many are below 0.98.
+"""
+
+import argparse
+import itertools
+import math
+import sys
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[4]
+sys.path[:0] = [str(ROOT), str(ROOT / "workflow"), str(ROOT / "tests" / "cases")]
+FOOT_M, CRACK_DEG, SHARE, WEAKER = 0.25, 2.5, 0.2, 0.98
+
+
+def feet(last_m):
+    """Feet of a dense search."""
+    return np.arange(0.0, last_m, FOOT_M).tolist()
+
+
+def whole(family, foot_m, ends):
+    """Whether at every height at least half of what lies between two lines is masonry."""
+    m = family.masonry
+    edges = sorted({foot_m, m.height_m, *(z for z in m.edges_m if foot_m < z < m.height_m)})
+    middles = [0.5 * (a + b) for a, b in itertools.pairwise(edges)]
+    return all(region.length(m, z, ends) >= 0.5 * (ends[1] - ends[0]) for z in middles)
+
+
+def dense(family):
+    """Least PGA by kind [g]."""
+    found, last = {}, family.height_m - LEAST_PART_M
+    if repertory.steepest_deg(family) is not None:
+        found[COMPOUND] = min(
+            family.slv(repertory.compound(family, z, float(deg)))
+            for z in feet(last)
+            for deg in np.arange(0.0, 50.0, CRACK_DEG)
+        )
+    for left, right, top in repertory.supports(family):
+        shares = np.arange(0.5 * SHARE, 1.0, SHARE)
+        own = [
+            family.slv(
+                repertory.horizontal(family, z, top, (left, left + s * (right - left), right))
+            )
+            for z in feet(top - LEAST_PART_M)
+            for s in shares
+        ]
+        found[HORIZONTAL] = min([found.get(HORIZONTAL, math.inf), *own])
+    places, half = partial_width.lines(family), round(0.5 * family.masonry.width_m, 6)
+    for ends in itertools.combinations(places, 2):
+        if ends == (-half, half) or ends[1] - ends[0] < family.facade.thickness_m:
+            continue
+        for z in family.feet():
+            if z < last and whole(family, z, ends):
+                own = family.slv(partial_width.part_width(family, z, ends))
+                found[PART_WIDTH] = min(found.get(PART_WIDTH, math.inf), own)
+    return found
+
+
+def listed(family):
+    """Least PGA by kind of the list [g]; a wedge with a vertical crack is an overturning part."""
+    found = {}
+    for site in family.sites():
+        one = family.at(site)
+        kind = kind_of(one)
+        found[kind] = min(found.get(kind, math.inf), family.slv(one))
+    found[COMPOUND] = min(found.get(COMPOUND, math.inf), found["overturning"])
+    return found
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--count", type=int, default=50)
+    parser.add_argument("--seed", type=int, default=71)
+    given = parser.parse_args()
+    weaker = {}
+    rows = several(given.first + given.count, given.seed)
+    for k, drawn in list(enumerate(rows))[given.first :]:
+        own = drawn["assessment"] | {"mechanisms": [COMPOUND, HORIZONTAL, PART_WIDTH]}
+        if k % 2:
+            own |= {"interlocking_course_m": 0.25, "interlocking_overlap_m": 0.12}
+        resolved = config.resolve({**drawn, "assessment": own})
+        demand = CodeDemand(own["ag_g"], own["f0"], own["tc_star_s"], own["soil"])
+        family = Family(resolved, slv=Slv(resolved, demand))
+        known, found = listed(family), dense(family)
+        ratios = {kind: v / known.get(kind, math.inf) for kind, v in found.items()}
+        for kind, ratio in ratios.items():
+            weaker.setdefault(kind, []).append(ratio)
+        print(k, " ".join(f"{kind} {ratio:.4f}" for kind, ratio in ratios.items()), flush=True)
+    for kind, ratios in weaker.items():
+        below = sum(ratio < WEAKER for ratio in ratios)
+        print(f"{kind}: {below} of {len(ratios)} below {WEAKER:g} of the list, {min(ratios):.4f}")
+
+
+if __name__ == "__main__":
+    from drawn_facades import several
+    from rocking.configuration import config
+    from studies.assess import partial_width, region, repertory
+    from studies.assess.code_spectrum import CodeDemand
+    from studies.assess.family import Family
+    from studies.assess.names import COMPOUND, HORIZONTAL, PART_WIDTH, kind_of
+    from studies.assess.sites import LEAST_PART_M
+    from studies.assess.slv import Slv
+
+    main()
