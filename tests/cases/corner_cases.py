@@ -8,16 +8,19 @@ the wall.
 """
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
 from yade_scripts.engine import adapter, simulate
+from yade_scripts.model import facade
 from yade_scripts.model.motion import along
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, held
 
 CELLS = 400  # of the height, for mass and moments
 ROOT = math.sqrt(0.5)
+NO_WEIGHT = 1e-6  # of a strip in plan [m/s²]
 
 
 def turned(u, v, z):
@@ -122,3 +125,15 @@ def corners(corner, time_s, floor, beside, factors, fraction=0.3):
             }
         )
     return {"runs": found, "mass_kg": scene.blocks[1].mass_kg, "dt_s": step}
+
+
+def strips(config, beta_s, time_s, pushes):
+    """How pushes end on a façade without weight, as a strip that bends between its ends in plan."""
+    scene = replace(facade.facade_scene(config, "W1", beta_s), gravity_m_s2=NO_WEIGHT)
+    step, _ = simulate.choose_step(scene, config["numerics"])
+    time_s, found = np.array(time_s), []
+    for push in pushes:
+        motions = {"ground": adapter.SupportMotion(time_s, np.array(push))}
+        rules = simulate.StopRules(float(time_s[-1]), float(time_s[-1]) + 1.0)
+        found.append(simulate.run(scene, motions, step, rules).status)
+    return found

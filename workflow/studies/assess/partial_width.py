@@ -20,6 +20,7 @@ from yade_scripts.model.ties import rods_at
 
 NEAR_M = 1e-6
 BEST = 4  # pairs of lines a foot that are looked at, by each measure
+FOLLOWED, BETWEEN = 3, 4  # of these the weakest, and feet tried to the next one that is listed
 
 
 def lines(family):
@@ -100,18 +101,27 @@ def widths(family):
     """Part-width overturning, the weakest; none without lines within the façade.
 
     Of every foot those pairs of lines are looked at that have the least α0, and the least α0 d*/d_C
-    (what the displacement left goes with).
+    (what the displacement left goes with); the weakest of all are followed to feet between.
     """
     last = family.height_m - LEAST_PART_M
-    chosen = []
-    for foot in (z for z in family.feet() if z < last):
+    feet, chosen = [z for z in family.feet() if z < last], []
+    for foot in feet:
         own = list(_screened(family, foot))
         for measure in (0, 1):
             chosen += [(foot, row[2]) for row in sorted(own, key=lambda row: row[measure])[:BEST]]
-    found = [
-        (family.measure(site), site)
-        for site in (Site(PART_WIDTH, z, left_m=a, right_m=b) for z, (a, b) in sorted(set(chosen)))
-    ]
+
+    def measured(foot, ends):
+        site = Site(PART_WIDTH, foot, left_m=ends[0], right_m=ends[1])
+        return family.measure(site), site
+
+    found = sorted((measured(*one) for one in set(chosen)), key=lambda row: row[0])
+    for _, site in found[:FOLLOWED]:
+        k, ends = feet.index(site.foot_m), (site.left_m, site.right_m)
+        beside = feet[max(k - 1, 0)], site.foot_m, feet[k + 1] if k + 1 < len(feet) else last
+        for a, b in itertools.pairwise(beside):
+            samples = np.linspace(a, b, BETWEEN + 2)[1:-1].tolist() if b - a > NEAR_M else []
+            own = [z for z in samples if any(row[2] == ends for row in _screened(family, z))]
+            found += [measured(z, ends) for z in own]
     return [min(found, key=lambda row: row[0])[1]] if found else []
 
 

@@ -60,7 +60,7 @@ def dense(family):
     for ends in itertools.combinations(places, 2):
         if ends == (-half, half) or ends[1] - ends[0] < family.facade.thickness_m:
             continue
-        for z in family.feet():
+        for z in sorted({*family.feet(), *feet(last)}):
             if z < last and whole(family, z, ends):
                 own = family.slv(partial_width.part_width(family, z, ends))
                 found[PART_WIDTH] = min(found.get(PART_WIDTH, math.inf), own)
