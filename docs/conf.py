@@ -20,7 +20,11 @@ extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 include_patterns = ["*.md", "docs/**", "config/README.md", "workflow/studies/**/*.md"]
 exclude_patterns = ["results", "build", ".*", "docs/examples", "docs/paper"]  # a page to copy is none of the site
 myst_heading_anchors = 3
-OFF_NAVIGATION = ("docs/log/", "docs/keys/")  # reached from one page that lists them, and by search
+OFF_NAVIGATION = (
+    "docs/log/",
+    "docs/keys/",
+    "docs/record",
+)  # reached from other pages, and by search
 STUDIES = ROOT / "workflow" / "studies"
 LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s#]+)[^)\s]*\)")
 
