@@ -18,7 +18,7 @@ root_doc = "docs/index"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 
 include_patterns = ["*.md", "docs/**", "config/README.md", "workflow/studies/**/*.md"]
-exclude_patterns = ["results", "build", ".*", "docs/examples", "docs/paper"]  # a page to copy is none of the site
+exclude_patterns = ["results", "build", ".*", "docs/examples", "docs/paper"]  # to copy, to send
 myst_heading_anchors = 3
 OFF_NAVIGATION = (
     "docs/log/",
