@@ -18,9 +18,10 @@ root_doc = "docs/index"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 
 include_patterns = ["*.md", "docs/**", "config/README.md", "workflow/studies/**/*.md"]
-exclude_patterns = ["results", "build", ".*", "docs/examples"]  # a page to copy is none of the site
+exclude_patterns = ["results", "build", ".*", "docs/examples", "docs/paper"]  # to copy, to send
 myst_heading_anchors = 3
-OFF_NAVIGATION = ("docs/log/", "docs/keys/")  # reached from one page that lists them, and by search
+# reached from other pages, and by search
+OFF_NAVIGATION = ("docs/changes/", "docs/keys/", "docs/record")
 STUDIES = ROOT / "workflow" / "studies"
 LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s#]+)[^)\s]*\)")
 

@@ -11,7 +11,7 @@ the search that doubts by the largest peak alone, by the same histories. Above t
 the scan's and the short climb's; 0: none. Motions by the names of the recorded suite, or of
 `--records`; with a seed surrogates of `--surrogates`. Curves that `--output` holds are not run
 again; `--keep` is a folder for the scans and the dense histories. A curve takes half a minute to
-some minutes; a line says what all of them come to. The curves of docs/log/collapse.md:
+some minutes; a line says what all of them come to. The curves of docs/record.md#collapse:
 `tests/trials/safe_amplitudes.sh`.
 """
 

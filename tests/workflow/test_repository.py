@@ -33,6 +33,17 @@ def test_the_version_follows_the_changelog():
     assert top == ("Unreleased" if dev else number)
 
 
+def test_a_version_has_ten_lines_and_a_page_with_all():
+    text = (ROOT / "CHANGELOG.md").read_text("utf-8")
+    sections = re.split(r"(?m)^## ", text)[1:]
+    assert sections
+    for section in sections:
+        lines = re.findall(r"(?m)^- ", section)
+        assert 0 < len(lines) <= 10, section.splitlines()[0]
+        (page,) = re.findall(r"\[All of [\d.]+\]\(([^)]+)\)", section)
+        assert (ROOT / page).is_file()
+
+
 def test_a_version_is_the_tree_s_and_its_commit_is_known_in_a_clone(tmp_path, monkeypatch):
     package = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     assert rocking.__version__ == package["version"]

@@ -53,7 +53,7 @@ def choose(config, model, measured):
     `numerics.fidelity_tolerance`, or the finest without one; a bonded model takes the values
     measured for the dry one. Interlocking bricks have their own numbers in section w3. A façade of
     courses has one set for all models: the compiled solver sums its joints in closed form, and at
-    these YADE is within 1 % of that (docs/log/base.md).
+    these YADE is within 1 % of that (docs/record.md#base).
 
     `config` is resolved, or a case file; `measured` the content of config/fidelity.yaml
     (`fidelity_table`, and `COURSES`). Section numerics without open values, and the reason; a

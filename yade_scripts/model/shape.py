@@ -78,10 +78,10 @@ class Shape:
             found.append((mass, centre, tensor, size))
         return found
 
-    def joint_at(self, hinge_m):
+    def joint_at(self, hinge_m, key="hinges_m"):
         """Where the pieces below and above a hinge meet: (y0, y1) of the faces, and lost width [m].
 
-        ValueError of one line, if they do not meet.
+        ValueError of one line that names the key which states the hinge, if they do not meet.
         """
         below = next(s for s in self.storeys if s[1] == hinge_m)
         above = next(s for s in self.storeys if s[0] == hinge_m)
@@ -90,7 +90,7 @@ class Shape:
         strips = without([(-0.5 * self.width_m, 0.5 * self.width_m)], holes, SLIVER_M)
         lost = self.width_m - sum(b - a for a, b in strips) if holes else 0.0
         if not (y1 > y0 and strips):
-            raise ValueError(f"facade.hinges_m = {hinge_m:g}: expected masonry below and above")
+            raise ValueError(f"facade.{key} = {hinge_m:g}: expected masonry below and above")
         return y0, y1, lost
 
     @property

@@ -303,7 +303,7 @@ def _allowed(key, place, value):
         value = schema.plain(value, key)
         refusals.refuse_invalid(configuration.nested({place: value}), schema.whole())
     except schema.ConfigError as error:
-        said = str(error).removeprefix("config: ").removeprefix(place)
+        said = error.detail.removeprefix(place)
         raise ValueError(f"settings[{key!r}]{said.removeprefix(key)}") from None
 
 

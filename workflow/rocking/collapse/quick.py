@@ -3,7 +3,7 @@
 The dense scan finds every range of collapse of a curve; this takes some forty histories at steps
 four times as long (`search.crossings`), few of them where the façade is calm. A separate range
 further below, narrower than a step of its climb, may be missed: what that changes is measured in
-docs/log/assessment.md.
+docs/record.md#assessment.
 """
 
 from rocking.collapse.curve import collapse_curves

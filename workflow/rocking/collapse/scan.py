@@ -35,7 +35,7 @@ COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5} 
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
 COURSES_STEP = 0.072  # of the stable step of the same façade in one block
 # The light one of pieces makes their stable step short: of it they take so many times the share
-# of one block, up to the second (docs/log/accuracy.md has the errors)
+# of one block, up to the second (docs/record.md#accuracy has the errors)
 PIECES_STEPS, PIECES_MOST = 4.0 / 3.0, 0.4
 OWN_MOTIONS = 32  # at once, where each amplitude has floor motions of its own: 0.4 GB
 KEPT = 16  # façades whose scenes are kept, for the motions that follow

@@ -240,9 +240,9 @@ def _shape(facade: Facade, hinges: Sequence, key: str = "hinges_m") -> None:
     try:
         shape = shape_of(replace(facade, hinges_m=tuple(hinges)))
         for z in hinges:
-            shape.joint_at(z)
+            shape.joint_at(z, key)
     except ValueError as error:
-        raise ConfigError(str(error).replace("facade.hinges_m", f"facade.{key}", 1)) from None
+        raise ConfigError(str(error)) from None
 
 
 def _check_wedge(section: Mapping) -> None:

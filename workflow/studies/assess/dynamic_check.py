@@ -37,7 +37,9 @@ class Care(NamedTuple):
 
 
 ROUGH = Care(math.inf, 0.5)  # finds rows of ties that are near those of `FINE`
-FINE = Care(0.2, 0.3)  # on other motions nothing below 0.45 d0 went beyond d0: docs/log/assessment
+FINE = Care(
+    0.2, 0.3
+)  # on other motions nothing below 0.45 d0 went beyond d0: docs/record.md#assessment
 
 
 class Limits(NamedTuple):

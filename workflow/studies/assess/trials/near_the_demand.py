@@ -9,7 +9,7 @@ lognormal curve of one component a station. Friction of floors is left out, as i
 
 At the end: by factor, how many mechanisms beyond it have more than 1 % at the demand, or fail the
 dynamic check; and of how many façades the verdict of what is shaken differs from that of all. The
-one in `assessment.shaken_within` was chosen on seeds 1 and 2 (docs/log/assessment.md). A row a
+one in `assessment.shaken_within` was chosen on seeds 1 and 2 (docs/record.md#assessment). A row a
 mechanism is written at once, and façades that are there already are passed over.
 """
 

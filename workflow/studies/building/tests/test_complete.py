@@ -207,7 +207,7 @@ def test_below_uplift_the_bonded_building_is_its_modes():
     for drop in (False, True):
         used = apart(scene) if drop else scene
         got = in_yade(
-            "complete_cases",
+            "studies.building.tests.complete_cases",
             "shaken",
             job=work,
             time_s=T.tolist(),

@@ -1,0 +1,77 @@
+"""What archives and journals read: one version, people as marked blanks, a paper that builds."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+BLANK = "[TO FILL IN"
+PAPER = ROOT / "docs/paper/paper.md"
+
+
+def text(name):
+    return (ROOT / name).read_text("utf-8")
+
+
+def versions():
+    """Version by the file that states it."""
+    return {
+        "pyproject.toml": re.search(r'(?m)^version = "(.+)"$', text("pyproject.toml"))[1],
+        "CITATION.cff": yaml.safe_load(text("CITATION.cff"))["version"],
+        ".zenodo.json": json.loads(text(".zenodo.json"))["version"],
+        "codemeta.json": json.loads(text("codemeta.json"))["version"],
+    }
+
+
+def test_every_file_states_the_same_version():
+    assert len(set(versions().values())) == 1, versions()
+
+
+@pytest.mark.parametrize(
+    ("name", "key"), [(".zenodo.json", "creators"), ("codemeta.json", "author")]
+)
+def test_people_are_blanks_that_are_marked(name, key):
+    people = json.loads(text(name))[key]
+    assert people
+    for person in people:
+        assert any(str(value).startswith(BLANK) for value in person.values())
+
+
+def test_the_paper_has_what_the_journal_asks():
+    header, body = PAPER.read_text("utf-8").split("---\n", 2)[1:]
+    fields = yaml.safe_load(header)
+    assert {"title", "tags", "authors", "affiliations", "date", "bibliography"} <= fields.keys()
+    parts = re.findall(r"(?m)^# (.+)$", body)
+    for wanted in ("Summary", "Statement of need", "State of the field", "Software design"):
+        assert wanted in parts
+    assert parts[-1] == "References"
+    assert 250 <= len(body.split()) <= 1000
+    for picture in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", body):
+        assert (PAPER.parent / picture).is_file(), picture
+
+
+def test_every_source_of_the_paper_is_cited_and_has_its_doi():
+    entries = re.findall(r"@\w+\{(\w+),(.*?)\n\}", text("docs/paper/paper.bib"), re.S)
+    cited = set(re.findall(r"@(\w+)", PAPER.read_text("utf-8")))
+    assert {key for key, _ in entries} == cited
+    for key, entry in entries:
+        assert re.search(r"doi = \{10\.\d{4,}/\S+\}", entry), key
+
+
+def test_conda_gets_what_runs_need():
+    """Every package of a wheel's workflow, by the names that conda has for two of them."""
+    listed = [
+        one.split()[0]
+        for one in yaml.safe_load(text("environment.yaml"))["dependencies"]
+        if isinstance(one, str)
+    ]
+    names = {"matplotlib-base": "matplotlib", "snakemake-minimal": "snakemake"}
+    have = {names.get(one, one) for one in listed}
+    project = text("pyproject.toml")
+    asked = re.findall(r'"([\w-]+)', re.search(r"(?m)^dependencies = \[(.*)\]", project)[1])
+    asked += re.findall(r'"([\w-]+)', re.search(r"(?m)^report = \[(.*)\]", project)[1])
+    assert len(asked) > 8
+    assert set(asked) <= have
