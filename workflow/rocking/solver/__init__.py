@@ -14,8 +14,8 @@ all its nodes, none sliding, is summed in closed form. Histories march side by s
 (`march`), of one motion or of many, by the same text and with the digits of one after the other:
 one block (`block`) or several (`stack_kernel`), whatever they meet. `docs/solver.md` shows a step.
 
-What it costs and how far it agrees with `reference` stands in `docs/record.md`, in topic accuracy. Near collapse
-no solver repeats: run many amplitudes.
+What it costs and how far it agrees with `reference` stands in `docs/record.md`, in topic accuracy.
+Near collapse no solver repeats: run many amplitudes.
 """
 
 from .motions import Motions
