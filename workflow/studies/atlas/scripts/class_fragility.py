@@ -12,7 +12,7 @@ from studies.atlas import classes
 
 def main(job):
     settings, known = job.params.settings, read(job.input.law)
-    facades, base = classes.sampled(settings), base_of(job.params.facade, known)
+    facades, base = classes.sampled(settings), base_of(**job.params.facade, law=known)
     rows = [
         classes.fragility(facades, model, measure, base, known)
         for model in job.params.models
