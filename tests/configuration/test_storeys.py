@@ -17,7 +17,7 @@ from yade_scripts.model.storeys import slides
         ({"flag_share": 0.6}, "smdof.flag_share = 0.6"),
         (
             {"loss_drift_ratio": 0.03},
-            "smdof.loss_drift_ratio = 0.03: expected.*smdof.lost_drift_ratio",
+            "loss_drift_ratio = 0.03: expected.*smdof.lost_drift_ratio",
         ),
     ],
 )
