@@ -34,6 +34,8 @@ BRICKS_STEP = 0.4  # of W3's stable step, which its bricks decide: 0.20 ms
 COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}  # beds need none
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
 COURSES_STEP = 0.072  # of the stable step of the same façade in one block
+# Before walls that shake it and do not give way, whose impacts add up (docs/log/accuracy.md)
+SHAKEN_STEP, GIVES_WAY = 0.06, 20.0  # what carries walls that do: so many times its mass at most
 # The light one of pieces makes their stable step short: of it they take so many times the share
 # of one block, up to the second (docs/record.md#accuracy has the errors)
 PIECES_STEPS, PIECES_MOST = 4.0 / 3.0, 0.4
@@ -229,10 +231,12 @@ def _layouts_of(text, fraction):
     if fraction:
         shorter = LAYOUTS_SHORTER
     steps_s = [share * stable_step(plane) for plane in planes]
-    if courses:
-        share = min(share, COURSES_STEP) * (LATE_STEP if planes[0].late > 1.0 else 1.0)
-        steps_s = [share * one_block_step(case)] * len(planes)
     carried = carried_masses(case, scene) if kind.two_way and not bricks else None
+    if courses:
+        shaken = moving_supports(scene, GROUND if kind.two_way else None)
+        usual = SHAKEN_STEP if shaken and _stands_firm(carried, planes[0]) else COURSES_STEP
+        share = min(share, usual) * (LATE_STEP if planes[0].late > 1.0 else 1.0)
+        steps_s = [share * one_block_step(case)] * len(planes)
     if carried is not None:  # light masses between stiff contacts want shorter ones
         ahead = [getattr(plane, "lead", 0.0) for plane in planes]
         most = [
@@ -242,6 +246,13 @@ def _layouts_of(text, fraction):
         steps_s = list(map(min, steps_s, most))
     planes = [fitted(plane, carried, step) for plane, step in zip(planes, steps_s, strict=True)]
     return scene, planes, steps_s, shorter, carried
+
+
+def _stands_firm(carried, plane):
+    """Whether walls do not give way to a façade: they are driven, or what carries them is heavy."""
+    if carried is None:
+        return True
+    return carried.mass_kg.sum() > GIVES_WAY * np.sum(plane.mass_kg)
 
 
 class Screen(Scan):
