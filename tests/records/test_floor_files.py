@@ -79,7 +79,7 @@ def test_a_recorder_s_file_without_captions_from_one_step_on(tmp_path, made):
         (lambda c: changed(c, floor1=-c["floor1"]), "floor1 moves against the ground"),
         (lambda c: {n: c[m] for n, m in zip(NAMES, TOP_DOWN, strict=True)}, "top down"),
         (lambda c: dict(zip(NAMES, [*c.values()][::-1], strict=True)), "from the roof down"),
-        (lambda c: dict(zip(NAMES, np.roll([*c.values()], -1, axis=0), strict=True)), "state record"),
+        (lambda c: dict(zip(NAMES, np.roll([*c.values()], -1, 0), strict=True)), "state record"),
         (lambda c: {n: a for n, a in c.items() if n != "floor2"}, "floors 1, 3, 4; expected"),
     ],
 )  # fmt: skip
