@@ -251,6 +251,18 @@ def test_a_disk_without_room_is_said_before_anything_is_planned(tmp_path, monkey
     )
 
 
+def test_what_stands_where_a_result_belongs_is_said_before_any_job(tmp_path):
+    path = tmp_path / "tables/a.csv"
+    assert results_folder.misplaced([(path, False)]) == ""
+    path.parent.write_text("a file")
+    said = results_folder.misplaced([(path, False)])
+    assert said == f"{path.parent} is no folder: {path} is to lie in it; move it away"
+    path.parent.unlink()
+    path.mkdir(parents=True)
+    assert "a.csv is a folder: a result's file" in results_folder.misplaced([(path, False)])
+    assert results_folder.misplaced([(path, True)]) == ""
+
+
 def test_memory_is_bounded_by_starting_afresh():
     ceiling = memory.Ceiling(growth_mb=50.0)
     assert not ceiling.reached()

@@ -66,7 +66,9 @@ def _make_own_folder(path):
     try:
         path.mkdir(parents=True, exist_ok=True)
     except (FileExistsError, NotADirectoryError):
-        wrong = next(one for one in (path.parent, path) if os.path.lexists(one) and not one.is_dir())
+        wrong = next(
+            one for one in (path.parent, path) if os.path.lexists(one) and not one.is_dir()
+        )
         raise ValueError(f"{wrong}: {NO_FOLDER}") from None
     if path.is_symlink():
         raise ValueError(f"{path}: {NO_FOLDER}")
