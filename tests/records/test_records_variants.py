@@ -137,3 +137,16 @@ def test_a_count_in_other_words_holds_where_at2_is_stated(tmp_path):
     path.write_text("\n".join([*head, *samples[:9], *samples[10:]]) + "\n")
     with pytest.raises(RecordError, match="63 samples, but the heading declares 64"):
         read_record(path, **how)
+
+
+def test_a_caption_s_unit_counts_before_the_heading_s(tmp_path):
+    """0.5 g beside a velocity, under a heading in cm/s²; a caption without a unit takes that."""
+    path = tmp_path / "a.csv"
+    rows = [f"{0.01 * k:.2f},{0.5 * (-0.9) ** k:.6f},{0.01 * (-0.9) ** k:.6f}" for k in range(60)]
+    for captions, factor in (("Acc [g],Vel [m/s]", 9.80665), ("Acc,Vel [m/s]", 0.01)):
+        text = ["Acceleration in cm/s2", f"Time [s],{captions}", *rows]
+        path.write_text("\n".join(text) + "\n")
+        record = read_record(path, component="1")
+        assert np.abs(record.acceleration_m_s2).max() == pytest.approx(0.5 * factor)
+        with pytest.raises(RecordError, match="a unit of velocity"):
+            read_record(path, component="2")
