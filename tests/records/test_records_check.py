@@ -258,3 +258,9 @@ def test_a_surrogate_s_facts_are_its_targets(tmp_path):
     facts = (found.dt_s, found.duration_s, found.pga_g, found.pgv_cm_s)
     assert facts == (None, 16.2, 0.21, 23.6)
     assert found.factor == pytest.approx(2.0)
+
+
+def test_a_pipe_in_the_place_of_what_is_remembered_is_not_waited_for(study, tmp_path):
+    cache = tmp_path / "cache.json"
+    os.mkfifo(cache)
+    assert len(check_records(read_table(study).values(), cache=cache)) == 5
