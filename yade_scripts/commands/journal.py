@@ -15,7 +15,9 @@ from pathlib import Path
 from yade_scripts.files import named, write_atomic
 
 SUM_DIGITS = 16
-NO_FILE = "expected a journal's file, not a folder or another kind: remove it, then repeat the command"
+NO_FILE = (
+    "expected a journal's file, not a folder or another kind: remove it, then repeat the command"
+)
 
 
 def run_key(*parts):

@@ -96,7 +96,7 @@ def yade_history(case, motion, direction, pga_g):
     if motion.before(case, direction) is not None:
         raise ValueError("history by YADE: expected a motion without a first shock")
     with tempfile.TemporaryDirectory(prefix="rocking-") as folder:
-        Path(folder, "case.json").write_text(case.to_json())
+        Path(folder, "case.json").write_text(case.to_json(), encoding="utf-8")
         write_columns(Path(folder, "motion.csv"), *motion.columns(case), digits=WHOLE)
         words = ["--scene", "case.json", "--motion", "motion.csv", "--direction", direction]
         words += ["--record", motion.name or "motion", "--pga", f"{pga_g:.17g}"]
