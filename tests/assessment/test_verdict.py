@@ -212,9 +212,9 @@ def test_page_1_names_the_wall_and_what_was_not_shaken_with_the_reason():
     block = headline(*given, {**FACADE, "courses": 0})[0]
     assert block.endswith("is one rigid block on even springs of E/h.")
     assert said[2].endswith(
-        "Not shaken, judged by hand alone: the left corner above 5.00 m (0.31 g), which do not "
-        "turn over the whole width; the part above 5.70 m (0.5 g), lower than twice its thickness, "
-        "so that it slides first; vertical bending (0.9 g), by hand far from the demand."
+        "Not shaken, judged by hand alone: the left corner above 5.00 m (0.31 g), not over the "
+        "whole width; the part above 5.70 m (0.5 g), lower than twice the thickness there, where a "
+        "wall slides before it rocks; vertical bending (0.9 g), by hand far from the demand."
     )
     assert "of the 1 mechanism that was shaken is fulfilled" in said[2]
 

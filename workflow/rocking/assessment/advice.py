@@ -61,8 +61,7 @@ def _by_hand_next(checks, weak):
     if len(weak):
         listed = [f"{short(r)} ({g3(r.pga_fails_g)} g)" for r in weak.itertuples()]
         return [
-            f"Tie or hold the façade against: {'; '.join(listed)}. Which rows of ties do so stands "
-            "on page 1.",
+            f"Tie or hold the façade against: {'; '.join(listed)}.",
             "Verify on site what the checks leave out: the bond with the return walls, the anchors "
             "of floors and roof, the quality of the masonry.",
         ]

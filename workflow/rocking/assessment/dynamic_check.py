@@ -81,7 +81,7 @@ def histories(job, turns, fraction=None, realisations=0):
     factors = np.linspace(1.0 - spread, 1.0 + spread, realisations) if realisations else np.ones(1)
     for (motion, _), direction in turns:
         if (key := (id(motion), direction)) not in screens:
-            screens[key] = run_by("planar", case, motion, direction, fraction=fraction)
+            screens[key] = run_by("planar", case, motion, direction, fraction=fraction, brief=True)
     found = together(
         [
             (screens[id(motion), direction], pga_g * factors, bool(realisations))
