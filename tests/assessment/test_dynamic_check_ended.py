@@ -53,6 +53,13 @@ def test_short_steps_are_taken_where_long_ones_move_a_part_far(monkeypatch):
     dynamic_check.decided({}, turns, LIMITS, 5, 1, FINE)
     assert [name for name, _, step in asked if step is None] == ["near", "far", "far"]
     assert [name for name, count, _ in asked if count] == ["far"]
+    asked.clear()
+    courses = {"facade": {"courses": 4}}
+    dynamic_check.decided(courses, turns, LIMITS, 5, 1, FINE)
+    assert asked == [(n, 0, None) for n in ("calm", "near", "far")] + [("far", 5, None)]
+    asked.clear()
+    dynamic_check.decided(courses, turns, LIMITS, 5, 1, ROUGH)
+    assert {step for *_, step in asked} == {long}
 
 
 @pytest.mark.parametrize("falls", [None, 0, 2, 9])

@@ -192,7 +192,13 @@ def _run(many, run, turns, at_once):
 
 
 def _as_they_are(job, calm_m, turns):
-    """Each by long steps, and where it moves by more than `calm_m` by the scan's instead."""
+    """Each by long steps, and where it moves by more than `calm_m` by the scan's instead.
+
+    Of courses all by the scan's: long steps spare half of the time there, and what has to be run
+    again takes more.
+    """
+    if job.get("facade", {}).get("courses") and not math.isinf(calm_m):
+        return histories(job, turns)
     found = histories(job, turns, LONG_STEP)
     if math.isinf(calm_m):
         return found

@@ -183,7 +183,7 @@ def _governed(verdicts, shaken, held, fit):
 
 
 def _others(sure):
-    """Sentences on the check with the other models; `sure` says by model whether it is fulfilled."""
+    """What the check says with the other models: `sure` has by model whether it is fulfilled."""
     said = [(list(sure.index[sure]), "fulfilled"), (list(sure.index[~sure]), "not fulfilled")]
     return "".join(f" With {words_of(names)} it is {what}." for names, what in said if names)
 
