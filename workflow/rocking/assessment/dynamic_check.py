@@ -25,6 +25,7 @@ from rocking.collapse.scan import together
 from yade_scripts.model.shape import shape_of
 
 DRAWS = 2000
+VECTOR, REPEATED = 8, 3  # motions that march at a time; motions whose perturbed histories do
 LEAST_DRAWS = 0.95  # share with which a check that is fulfilled counts as passed
 COLUMNS = ["model", "record", "direction", "realisation", "pga_g", "d_over_b", "d_m", "status"]
 
@@ -162,7 +163,7 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
     far = sorted(far, key=lambda one: -one[0]) if realisations and ended is None else []
     step = LONG_STEP if math.isinf(care.calm) else None
     again = partial(histories, job, fraction=step, realisations=realisations)
-    for turn, table in _run(many, again, [turn for _, turn in far], at_once):
+    for turn, table in _run(many, again, [turn for _, turn in far], at_once, REPEATED):
         found.append(table)
         if exceeds(table, limits).sum() > (1.0 - LEAST_DRAWS) * (realisations + 1):
             ended = turn
@@ -179,16 +180,18 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
     return about | {"holds": bool(holds)}, ended
 
 
-def _run(many, run, turns, at_once):
-    """Turns and their tables, in turn; `at_once` groups of them go side by side.
+def _run(many, run, turns, at_once, most=VECTOR):
+    """Turns and their tables, in turn; up to `most` at a time, and of these `at_once` side by side.
 
-    All of them, whatever ends the check: a vector takes hardly longer than its longest history.
+    Whoever stops asking spares those that follow: what ended the last check is the first.
     """
-    tables: list = [None] * len(turns)
-    groups = [turns[k::at_once] for k in range(min(at_once, len(turns)))]
-    for k, found in enumerate(many(run, groups)):
-        tables[k::at_once] = found
-    return zip(turns, tables, strict=True)
+    for first in range(0, len(turns), most * at_once):
+        some = turns[first : first + most * at_once]
+        groups = [some[k::at_once] for k in range(min(at_once, len(some)))]
+        tables: list = [None] * len(some)
+        for k, found in enumerate(many(run, groups)):
+            tables[k::at_once] = found
+        yield from zip(some, tables, strict=True)
 
 
 def _as_they_are(job, calm_m, turns):
