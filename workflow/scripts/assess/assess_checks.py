@@ -2,6 +2,7 @@
 
 import json
 
+from rocking.assessment.anchors import completed_settings
 from rocking.assessment.code_checks import failing_pga, mechanism_of, pulse_share
 from rocking.records import load_as
 from rocking.risk.sufficiency import properties
@@ -10,7 +11,7 @@ from rocking.tables import write_table
 
 
 def main(job):
-    settings, rows = json.loads(job.params.settings), []
+    settings, rows = completed_settings(json.loads(job.params.settings)), []
     mechanism = mechanism_of(settings)
     for name, station in job.params.records.items():
         record = load_as(settings, name, job.params.table)

@@ -4,6 +4,7 @@ import json
 
 from rocking import Case
 from rocking.assessment import shaken
+from rocking.assessment.anchors import completed_settings
 from rocking.assessment.code_checks import family_of, governing
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.comparison import REFERENCE_G, SITE
@@ -12,11 +13,12 @@ from rocking.tables import write_table
 
 
 def main(job):
-    settings = json.loads(job.params.settings)
+    settings = completed_settings(json.loads(job.params.settings))
     demand = CodeDemand(REFERENCE_G, *SITE)
     plane = [one for one in family_of(settings, demand).all() if one.plane]
     ranked = governing(plane, settings, demand)
-    tried = [Case.read(path) for path in job.input.cases]
+    own = settings["assessment"]
+    tried = [shaken.settled(Case.read(path), own) for path in job.input.cases]
     table = shaken.chosen(ranked, tried, ranked[0][0], 1.0)  # the first alone, and the whole
     write_table(table, job.output[0], digits=None)  # heights to the digit
 
