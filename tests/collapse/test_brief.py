@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from rocking import Case, Motion
+from rocking.collapse import scan
 from rocking.collapse.curve import run_by
 from rocking.collapse.scan import together
 from rocking.solver import runs
@@ -66,3 +67,16 @@ def test_a_history_goes_on_while_what_carries_the_supports_still_moves():
     carried = runs.limits(plane, Motions(t, ground, (), None, [floor]), *given)[0, 3]
     assert 1e-3 * alone == pytest.approx(4.0, abs=0.1)
     assert 1e-3 * carried == pytest.approx(12.0, abs=0.1)
+
+
+def test_what_is_far_from_rest_at_its_end_is_run_as_a_whole(monkeypatch):
+    """A pulse that all but fells it, cut at its end: the façade is still out, and falls or not."""
+    monkeypatch.setattr(scan, "Brief", lambda: runs.Brief(after_s=0.0))
+    levels = np.geomspace(0.04, 0.4, 32)
+    whole, _ = outcomes("W1", pulses(0.0, coda=0.0), False, levels)
+    brief, _ = outcomes("W1", pulses(0.0, coda=0.0), True, levels)
+    assert {"ok", "overturned"} <= set(whole["status"])
+    assert list(brief["status"]) == list(whole["status"])
+    monkeypatch.setattr(scan, "Brief", lambda: runs.Brief(after_s=0.0, still=np.inf))
+    cut, _ = outcomes("W1", pulses(0.0, coda=0.0), True, levels)
+    assert list(cut["status"]) != list(whole["status"])  # what the rule is there for

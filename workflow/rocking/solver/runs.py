@@ -1,7 +1,7 @@
 """Histories and peaks: stop rules, step, and the compiled loop."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -28,12 +28,14 @@ class Brief(NamedTuple):
 
     It does where all that is left of the motion, of supports and of what carries them stays below
     `uplift` of what begins to lift a block of the scene's size at rest, or below `peak` of the
-    whole motion's largest acceleration, `after_s` later.
+    whole motion's largest acceleration, `after_s` later. One whose
+    |d|/b is beyond `still` in its last two seconds is run again as a whole.
     """
 
     uplift: float = 0.5
     peak: float = 0.2
     after_s: float = 3.0
+    still: float = 0.25
 
 
 @dataclass(frozen=True)
@@ -315,6 +317,18 @@ class Peaks:
     step_s: float
     spans: np.ndarray
 
+    def with_others(self, these, others):
+        """`Peaks` in which some histories are others."""
+        spans = [self.spans, others.spans]
+        width = max(rows.shape[1] for rows in spans)
+        spans = [np.pad(rows, ((0, 0), (0, width - rows.shape[1]))) for rows in spans]
+        spans[0][these] = spans[1]
+        changed = {"spans": spans[0]}
+        for name in ("d_over_b", "overturned", "failed", "end_s"):
+            changed[name] = getattr(self, name).copy()
+            changed[name][these] = getattr(others, name)
+        return replace(self, **changed)
+
 
 def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
     """Peak d/b of many histories; parameters as `history`.
@@ -343,4 +357,25 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
     status, end, spans = found[:, 0], found[:, 1], found[:, 2:] / planar.thickness_m
     failed = status == FAILED
     ratio = np.where(failed, np.nan, spans.max(axis=1))
-    return Peaks(shaken.cases[:, 0], ratio, status == OVERTURNED, failed, end, shaken.step_s, spans)
+    how = shaken.cases[:, 0], ratio, status == OVERTURNED, failed, end, shaken.step_s, spans
+    found = Peaks(*how)
+    if (brief := numerics.get("brief")) is None:
+        return found
+    near = np.flatnonzero(_lingers(found, brief.still))
+    if not near.size:
+        return found
+    own = motions if isinstance(motions, Motions) else [motions[k] for k in near]
+    whole = {"carried": carried, "step_s": shaken.step_s}
+    again = peaks(planar, own, {**numerics, "brief": None}, found.factor[near], **whole)
+    return found.with_others(near, again)
+
+
+def _lingers(found, ratio):
+    """Mask of histories that ended with |d|/b beyond a ratio in their last two seconds.
+
+    Near its unstable balance a façade falls late, and its swings take seconds.
+    """
+    last = np.rint(found.end_s / found.step_s).astype(int) // steps_of(found.step_s)
+    last, rows = np.minimum(last, found.spans.shape[1] - 1), np.arange(len(last))
+    late = np.maximum(found.spans[rows, last], found.spans[rows, np.maximum(last - 1, 0)])
+    return ~found.overturned & ~found.failed & (late > ratio)
