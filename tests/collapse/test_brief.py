@@ -70,13 +70,13 @@ def test_a_history_goes_on_while_what_carries_the_supports_still_moves():
 
 
 def test_what_is_far_from_rest_at_its_end_is_run_as_a_whole(monkeypatch):
-    """A pulse that all but fells it, cut at its end: the façade is still out, and falls or not."""
-    monkeypatch.setattr(scan, "Brief", lambda: runs.Brief(after_s=0.0))
+    """Cut half a second after a pulse that all but fells it, the façade is still out."""
+    monkeypatch.setattr(scan, "Brief", lambda: runs.Brief(after_s=0.5))
     levels = np.geomspace(0.04, 0.4, 32)
     whole, _ = outcomes("W1", pulses(0.0, coda=0.0), False, levels)
     brief, _ = outcomes("W1", pulses(0.0, coda=0.0), True, levels)
     assert {"ok", "overturned"} <= set(whole["status"])
     assert list(brief["status"]) == list(whole["status"])
-    monkeypatch.setattr(scan, "Brief", lambda: runs.Brief(after_s=0.0, still=np.inf))
+    monkeypatch.setattr(scan, "Brief", lambda: runs.Brief(after_s=0.5, still=np.inf))
     cut, _ = outcomes("W1", pulses(0.0, coda=0.0), True, levels)
     assert list(cut["status"]) != list(whole["status"])  # what the rule is there for
