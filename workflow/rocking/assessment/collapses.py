@@ -120,8 +120,14 @@ def _listed(case, turns, levels):
     tables, which = [nothing] * len(turns), [k for k, own in enumerate(levels) if len(own)]
     if which:
         settings = [{"pga_g": levels[k].tolist()} for k in which]
-        how = {"search": "list", "fraction": LONG_STEP, "brief": True}
-        found = collapse_curves(case, [turns[k] for k in which], settings=settings, **how)
+        found = collapse_curves(
+            case,
+            [turns[k] for k in which],
+            search="list",
+            settings=settings,
+            fraction=LONG_STEP,
+            brief=True,
+        )
         for k, curve in zip(which, found, strict=True):
             tables[k] = curve.table
     return tables

@@ -357,17 +357,17 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
     status, end, spans = found[:, 0], found[:, 1], found[:, 2:] / planar.thickness_m
     failed = status == FAILED
     ratio = np.where(failed, np.nan, spans.max(axis=1))
-    how = shaken.cases[:, 0], ratio, status == OVERTURNED, failed, end, shaken.step_s, spans
-    found = Peaks(*how)
+    fell, factors = status == OVERTURNED, shaken.cases[:, 0]
+    own = Peaks(factors, ratio, fell, failed, end, shaken.step_s, spans)
     if (brief := numerics.get("brief")) is None:
-        return found
-    near = np.flatnonzero(_lingers(found, brief.still))
+        return own
+    near = np.flatnonzero(_lingers(own, brief.still))
     if not near.size:
-        return found
-    own = motions if isinstance(motions, Motions) else [motions[k] for k in near]
+        return own
+    theirs = motions if isinstance(motions, Motions) else [motions[k] for k in near]
     whole = {"carried": carried, "step_s": shaken.step_s}
-    again = peaks(planar, own, {**numerics, "brief": None}, found.factor[near], **whole)
-    return found.with_others(near, again)
+    again = peaks(planar, theirs, {**numerics, "brief": None}, factors[near], **whole)
+    return own.with_others(near, again)
 
 
 def _lingers(found, ratio):
