@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.assessment.advice import damage, next_steps
+from rocking.assessment.advice import damage, next_steps, thinner_is_better
 from rocking.assessment.verdict import (
     capacity,
     decided_by,
@@ -231,3 +231,15 @@ def test_the_capacity_has_a_ratio_and_a_return_period():
     stated = mechanisms(whole=0.1)
     assert capacity(stated, 0.2, "123").endswith("a return period of 123 years.")
     assert "ζE = 0.50" in capacity(stated, 0.2, None)
+
+
+@pytest.mark.parametrize(("thick", "said"), [(0.7, True), (1.1, False)])
+def test_a_thicker_wall_that_is_allowed_less_is_told(thick, said):
+    ratios = [(0.95, "slv_ground", 1.0), (0.95, "slv_height", 0.9), (1.05, "slv_height", thick)]
+    rows = [("facade.thickness_m", *one) for one in [*ratios, (1.05, "slv_ground", 1.2)]]
+    table = pd.DataFrame(rows, columns=["key", "factor", "check", "ratio"])
+    line = thinner_is_better(table)
+    assert bool(line) is said
+    if said:
+        assert "at 0.95 times it is passed up to 90 %" in line
+        assert "at 1.05 times up to 70 %" in line
