@@ -38,7 +38,7 @@ def damage(sensitivity, mechanisms, demand_g):
 
 
 def thinner_is_better(sensitivity):
-    """A line where the check of a thinner wall allows more than that of a thicker one; else nothing.
+    """A line where the check allows a thinner wall more than a thicker one; else nothing.
 
     d_SLV = 0.4 d0 grows with the thickness, and so passes the displacement up to which a tie or an
     anchor holds: there the curve has lost it.
@@ -51,8 +51,8 @@ def thinner_is_better(sensitivity):
     return (
         f"The check does not grow with the thickness: at {ratio.index[0]:g} times it is passed up "
         f"to {per_cent(ratio.iloc[0])} of the demand's PGA, at {ratio.index[-1]:g} times up to "
-        f"{per_cent(ratio.iloc[-1])}. There d_SLV = 0.4 d0 passes the displacement up to which a tie "
-        "or an anchor holds (C8.7.1.2.1.6): rest on the lesser, or lengthen the rods."
+        f"{per_cent(ratio.iloc[-1])}. There d_SLV = 0.4 d0 passes the displacement up to which a "
+        "tie or an anchor holds (C8.7.1.2.1.6): rest on the lesser, or lengthen the rods."
     )
 
 
