@@ -18,6 +18,7 @@ from typing import NamedTuple
 import numpy as np
 import pandas as pd
 
+from rocking.assessment.slv import readings
 from rocking.collapse.case import Case
 from rocking.collapse.curve import run_by
 from rocking.collapse.quick import LONG_STEP
@@ -50,9 +51,15 @@ class Limits(NamedTuple):
 
 
 def limits_of(mechanism):
-    """`Limits` of a mechanism whose control point is the façade's top."""
-    d0 = mechanism.ultimate()[1]
-    return Limits(d0, mechanism.limit(0.4)[0], 0.6 * d0)
+    """`Limits` of a mechanism whose control point is the façade's top.
+
+    d_SLV is the largest of `slv.readings`. Where a brittle anchor gives way after a millimetre, it
+    is that millimetre by the letter, and elastic sway exceeds it; the façade without the anchor,
+    whose curve is nowhere above, is allowed 0.4 d0.
+    """
+    slv_m = max(one.limit(0.4)[0] for one in readings(mechanism))
+    d0_m = mechanism.ultimate()[1]
+    return Limits(d0_m, slv_m, 0.6 * d0_m)
 
 
 def width_of(facade):
