@@ -66,7 +66,7 @@ def test_a_brittle_tie_makes_no_facade_worse_and_both_numbers_are_known():
 
 
 def test_a_brittle_anchor_leaves_the_dynamic_check_the_bare_walls_limit():
-    """By the letter the top may move by the millimetres that the anchor takes; elastic sway does."""
+    """By the letter the top may move by the millimetres that an anchor takes; elastic sway does."""
     bare = Family(resolved()).part(0.0, "whole").mechanism
     brittle = Family(tied(40.0)).part(0.0, "whole").mechanism
     assert brittle.limit(0.4)[0] < 0.1 * bare.limit(0.4)[0]
