@@ -27,9 +27,12 @@ def crossings(case, motion, direction, settings=None, step=LONG_STEP, ends=False
     return crossings_of(case, [(motion, direction)], settings, step, ends)[0]
 
 
-def crossings_of(case, shaken, settings=None, step=LONG_STEP, ends=False):
-    """`crossings` under some motions, (Motion, direction) each, as `collapse_curves` has them."""
-    how = {"search": "crossings", "settings": settings, "fraction": step}
+def crossings_of(case, shaken, settings=None, step=LONG_STEP, ends=False, brief=False):
+    """`crossings` under some motions, (Motion, direction) each, as `collapse_curves` has them.
+
+    Histories may be `brief`, see `scan.Screen`.
+    """
+    how = {"search": "crossings", "settings": settings, "fraction": step, "brief": brief}
     rows = []
     for found in collapse_curves(case, shaken, **how):
         rows.append({**dict(zip(PGA, found.found, strict=True)), "runs_planar": found.runs})

@@ -10,7 +10,7 @@ from rocking.collapse import hidden, search
 from rocking.collapse.search import Answer
 from rocking.solver.motions import Motions
 from rocking.solver.plane import moving_supports, to_plane
-from rocking.solver.runs import STEP_FRACTION, fitted, peaks, stable_step
+from rocking.solver.runs import STEP_FRACTION, Brief, fitted, peaks, stable_step
 from rocking.solver.substructure import NO_BODIES, Bodies, bodies
 from smdof.chain import shear_chain
 from yade_scripts.commands.perturb import (
@@ -43,6 +43,7 @@ HEAVY_KG = 1e9  # of a building that drives its walls; what they do to it is lef
 OWN_MOTIONS = 32  # at once, where each amplitude has floor motions of its own: 0.4 GB
 KEPT = 16  # façades whose scenes are kept, for the motions that follow
 LATE_STEP = 0.5  # of `COURSES_STEP`, where the dashpots of thin courses act at the end of a step
+COURSES_LONG = 2.0  # times the step of courses, of brief histories by long steps
 
 
 class Scan:
@@ -212,7 +213,7 @@ def _whole(parts):
 
 
 @functools.lru_cache(maxsize=KEPT)
-def _layouts_of(text, fraction):
+def _layouts_of(text, fraction, brief=False):
     """Scene, planes, steps [s], shorter steps and carried masses of a scene file (JSON)."""
     case = json.loads(text)
     kind, shorter = registry.model(case["model"]), SHORTER
@@ -236,6 +237,7 @@ def _layouts_of(text, fraction):
         shaken = moving_supports(scene, GROUND if kind.two_way else None)
         usual = SHAKEN_STEP if shaken and _stands_firm(carried, planes[0]) else COURSES_STEP
         share = min(share, usual) * (LATE_STEP if planes[0].late > 1.0 else 1.0)
+        share *= COURSES_LONG if brief and fraction else 1.0
         steps_s = [share * one_block_step(case)] * len(planes)
     if carried is not None:  # light masses between stiff contacts want shorter ones
         ahead = [getattr(plane, "lead", 0.0) for plane in planes]
@@ -261,7 +263,9 @@ class Screen(Scan):
     Floor motions are those of `floor_motions.read`; `before` is a shock before them (time_s,
     columns, pause_s), as it shakes. A `fraction` is the step over the stable one, where the
     solver's own choice is too dear (of pieces between hinges up to `PIECES_STEPS` as much); then
-    every layout of nodes has a step of its own.
+    every layout of nodes has a step of its own. `brief` histories end once what is left of the
+    motion no longer tells (`runs.Brief`), so that later swings are not known; with a fraction
+    courses have `COURSES_LONG` times their step.
 
     Where a building yields and drives its walls, it marches with the façade: as one that carries
     them and that nothing can push. Where it does not at an amplitude, its floors are scaled.
@@ -269,10 +273,12 @@ class Screen(Scan):
 
     carrying: "Screen | None" = None  # with the building that yields
 
-    def __init__(self, case, time_s, columns, direction, fraction=None, before=None):
+    def __init__(self, case, time_s, columns, direction, fraction=None, before=None, brief=False):
         """Prepare the scene in every layout of nodes that realisations use."""
         self.numerics, self.direction, self.ground = case["numerics"], direction, columns["ground"]
-        kept = _layouts_of(json.dumps(case, sort_keys=True), fraction)
+        if brief:
+            self.numerics = {**self.numerics, "brief": Brief()}
+        kept = _layouts_of(json.dumps(case, sort_keys=True), fraction, brief)
         self.scene, self.planes, self.steps_s, self.shorter, self.carried = kept
         self.two_way = registry.model(case["model"]).two_way
         if before is not None:
@@ -286,7 +292,8 @@ class Screen(Scan):
         if isinstance(columns, yielding.YieldingFloors) and kind.single_block:
             wall = {**case["return_wall"], "building_mass_kg": HEAVY_KG}
             heavy = {**case, "model": kind.two_way_model, "return_wall": wall}
-            self.carrying = Screen(heavy, time_s, dict(columns), direction, fraction, before)
+            how = fraction, before, brief
+            self.carrying = Screen(heavy, time_s, dict(columns), direction, *how)
             free = self.carrying.carried or NO_BODIES
             self.carrying.carried = free._replace(carried=np.zeros_like(free.carried))
 
@@ -299,7 +306,8 @@ class Screen(Scan):
 
     def _motions(self, time_s, columns):
         if self.two_way:
-            return Motions(time_s, columns["ground"], (), columns.get(VERTICAL))
+            alone = [row for name, row in columns.items() if name not in (GROUND, VERTICAL)]
+            return Motions(time_s, columns["ground"], (), columns.get(VERTICAL), alone)
         return driving(self.scene, time_s, columns)
 
     def shaking(self, pga_g):

@@ -55,6 +55,9 @@ class Motions:
         Absolute, in the order of `moving_supports(scene)`.
     vertical_m_s2 : array_like, shape (nt,), or None
         Of ground and walls alike, positive upward; scaled by the size of the others' factor.
+    alone_m_s2 : array_like, shape (n, nt)
+        Of what carries the supports, absolute, without what leans on it. It drives nothing and
+        tells how long it moves.
 
     Raises
     ------
@@ -66,6 +69,7 @@ class Motions:
     ground_m_s2: np.ndarray
     supports_m_s2: Any = ()
     vertical_m_s2: Any = None
+    alone_m_s2: Any = ()
     _tables: dict = field(default_factory=dict, init=False, repr=False, compare=False)
     _kept: dict = field(default_factory=dict, init=False, repr=False, compare=False)
 
@@ -74,7 +78,9 @@ class Motions:
         time = np.asarray(self.time_s, float)
         ground = np.asarray(self.ground_m_s2, float)
         vertical = 0.0 * ground if self.vertical_m_s2 is None else self.vertical_m_s2
-        rows = [ground, np.asarray(vertical, float), *np.asarray(self.supports_m_s2, float)]
+        supports = np.asarray(self.supports_m_s2, float)
+        alone = np.asarray(self.alone_m_s2, float)
+        rows = [ground, np.asarray(vertical, float), *supports, *alone]
         if time.ndim != 1 or time.size < 2 or any(row.shape != time.shape for row in rows):
             raise ValueError("motions: expected accelerations of the length of time_s, at least 2")
         if not (np.all(np.isfinite(rows)) and np.all(np.diff(time) > 0.0)):
@@ -85,9 +91,22 @@ class Motions:
             ("time_s", np.append(time, end)),
             ("ground_m_s2", rows[0]),
             ("vertical_m_s2", rows[1]),
-            ("supports_m_s2", np.array(rows[2:]).reshape(-1, time.size + 1)),
+            ("supports_m_s2", np.reshape(rows[2 : 2 + len(supports)], (-1, time.size + 1))),
+            ("alone_m_s2", np.reshape(rows[2 + len(supports) :], (-1, time.size + 1))),
         ):
             object.__setattr__(self, name, value)
+
+    def later_peak(self, alone=False):
+        """Largest |acceleration| of ground and supports from each sample on [m/s²]; kept.
+
+        `alone`: of what carries the supports too.
+        """
+        key = "later", alone
+        if key not in self._kept:
+            rows = [self.ground_m_s2[None], self.supports_m_s2, self.alone_m_s2]
+            envelope = np.abs(np.vstack(rows if alone else rows[:2])).max(axis=0)
+            self._kept[key] = np.maximum.accumulate(envelope[::-1])[::-1]
+        return self._kept[key]
 
     def peak_speed(self):
         """Largest |velocity| of ground and supports at a factor of one [m/s]; kept."""

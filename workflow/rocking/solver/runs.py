@@ -1,7 +1,8 @@
 """Histories and peaks: stop rules, step, and the compiled loop."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from scipy.linalg import block_diag
@@ -20,6 +21,21 @@ STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
 FARTHER = 1e3  # than the explicit stable step, where springs are taken ahead
 AS_THEY_ARE = 0.6  # of the explicit stable step: up to there no spring is taken ahead
 AT_ONCE = 64  # side by side, between two chances to stop; their memory fits into the cache
+
+
+class Brief(NamedTuple):
+    """When a brief history ends: its largest displacement is known before the motion is over.
+
+    It does where all that is left of the motion, of supports and of what carries them stays below
+    `uplift` of what begins to lift a block of the scene's size at rest, or below `peak` of the
+    whole motion's largest acceleration, `after_s` later. One whose
+    |d|/b is beyond `still` in its last two seconds is run again as a whole.
+    """
+
+    uplift: float = 0.5
+    peak: float = 0.2
+    after_s: float = 3.0
+    still: float = 0.25
 
 
 @dataclass(frozen=True)
@@ -143,19 +159,29 @@ def limits(planar, motions, numerics, factors, step_s):
     """What ends histories under a motion, shape (n, 5): rows from MOTION to LAST of `march`.
 
     End of the motion that matters [s], quiet [m/s²], failing speed [m/s], step at which a history
-    ends, and after which the motion has.
+    ends, and after which the motion has. `numerics` may have a `Brief` by the key brief.
     """
-    rows = np.vstack([motions.ground_m_s2, motions.supports_m_s2])
-    envelope = np.abs(rows).max(axis=0)
-    later = np.maximum.accumulate(envelope[::-1])[::-1]  # largest from each sample on
+    later = motions.later_peak()
     size, uplift = np.abs(factors), planar.gravity_m_s2 * planar.thickness_m / planar.height_m
-    quiet = numerics["quiet_ratio"] * np.minimum(uplift, size * envelope.max())
-    last = np.searchsorted(-later, -quiet / np.maximum(size, 1e-300), side="left") - 1
-    motion = np.where(last < 0, 0.0, motions.time_s[np.maximum(last, 0)])
+    quiet = numerics["quiet_ratio"] * np.minimum(uplift, size * later[0])
+    motion = _last_above(motions.time_s, later, quiet, size)
     speed = numerics["max_speed_ratio"] * (size * motions.peak_speed() + 1.0)
     limit = math.ceil((motions.time_s[-2] + numerics["after_motion_s"]) / step_s)
     ends = [np.full(size.shape, float(step)) for step in (limit, last_step(motions, step_s))]
+    if (brief := numerics.get("brief")) is not None:
+        every = motions.later_peak(alone=True)
+        calm = np.maximum(
+            brief.uplift * np.minimum(uplift, size * every[0]), brief.peak * size * every[0]
+        )
+        over = _last_above(motions.time_s, every, calm, size)
+        ends[0] = np.minimum(ends[0], np.ceil((over + brief.after_s) / step_s))
     return np.stack([motion, quiet, speed, *ends], axis=1)
+
+
+def _last_above(time_s, later, level, size):
+    """When a motion times `size` last exceeds a level [s], by its largest from each sample on."""
+    last = np.searchsorted(-later, -level / np.maximum(size, 1e-300), side="left") - 1
+    return np.where(last < 0, 0.0, time_s[np.maximum(last, 0)])
 
 
 def _supports_of(planar):
@@ -291,6 +317,18 @@ class Peaks:
     step_s: float
     spans: np.ndarray
 
+    def with_others(self, these, others):
+        """`Peaks` in which some histories are others."""
+        spans = [self.spans, others.spans]
+        width = max(rows.shape[1] for rows in spans)
+        spans = [np.pad(rows, ((0, 0), (0, width - rows.shape[1]))) for rows in spans]
+        spans[0][these] = spans[1]
+        changed = {"spans": spans[0]}
+        for name in ("d_over_b", "overturned", "failed", "end_s"):
+            changed[name] = getattr(self, name).copy()
+            changed[name][these] = getattr(others, name)
+        return replace(self, **changed)
+
 
 def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
     """Peak d/b of many histories; parameters as `history`.
@@ -319,4 +357,25 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
     status, end, spans = found[:, 0], found[:, 1], found[:, 2:] / planar.thickness_m
     failed = status == FAILED
     ratio = np.where(failed, np.nan, spans.max(axis=1))
-    return Peaks(shaken.cases[:, 0], ratio, status == OVERTURNED, failed, end, shaken.step_s, spans)
+    fell, factors = status == OVERTURNED, shaken.cases[:, 0]
+    own = Peaks(factors, ratio, fell, failed, end, shaken.step_s, spans)
+    if (brief := numerics.get("brief")) is None:
+        return own
+    near = np.flatnonzero(_lingers(own, brief.still))
+    if not near.size:
+        return own
+    theirs = motions if isinstance(motions, Motions) else [motions[k] for k in near]
+    whole = {"carried": carried, "step_s": shaken.step_s}
+    again = peaks(planar, theirs, {**numerics, "brief": None}, factors[near], **whole)
+    return own.with_others(near, again)
+
+
+def _lingers(found, ratio):
+    """Mask of histories that ended with |d|/b beyond a ratio in their last two seconds.
+
+    Near its unstable balance a façade falls late, and its swings take seconds.
+    """
+    last = np.rint(found.end_s / found.step_s).astype(int) // steps_of(found.step_s)
+    last, rows = np.minimum(last, found.spans.shape[1] - 1), np.arange(len(last))
+    late = np.maximum(found.spans[rows, last], found.spans[rows, np.maximum(last - 1, 0)])
+    return ~found.overturned & ~found.failed & (late > ratio)

@@ -13,6 +13,7 @@ from studies.assess.verdict import (
     words_of,
 )
 
+THINNER = 0.99  # of the ratio of a thinner wall that a thicker one falls short of
 OTHERS = {"en": "EN 1998-3"}  # by the first part of a check's key
 
 
@@ -33,6 +34,25 @@ def damage(sensitivity, mechanisms, demand_g):
         f"{worst['factor']:g} ({worst['key']} damping), at {per_cent(worst['ratio'])} of the "
         "demand's PGA. The Circolare has such damage at ultimate states: judge how far "
         "the building's goes and state assessment.building_period_factor and building_damping."
+    )
+
+
+def thinner_is_better(sensitivity):
+    """A line where the check allows a thinner wall more than a thicker one; else nothing.
+
+    d_SLV = 0.4 d0 grows with the thickness, and so passes the displacement up to which a tie or an
+    anchor holds: there the curve has lost it.
+    """
+    slv = sensitivity["check"].isin(("slv_ground", "slv_height"))
+    rows = sensitivity[slv & (sensitivity["key"] == "facade.thickness_m")]
+    ratio = rows.groupby("factor")["ratio"].min().sort_index()
+    if len(ratio) < 2 or ratio.iloc[-1] >= THINNER * ratio.iloc[0]:
+        return ""
+    return (
+        f"The check does not grow with the thickness: at {ratio.index[0]:g} times it is passed up "
+        f"to {per_cent(ratio.iloc[0])} of the demand's PGA, at {ratio.index[-1]:g} times up to "
+        f"{per_cent(ratio.iloc[-1])}. There d_SLV = 0.4 d0 passes the displacement up to which a "
+        "tie or an anchor holds (C8.7.1.2.1.6): rest on the lesser, or lengthen the rods."
     )
 
 
@@ -61,8 +81,7 @@ def _by_hand_next(checks, weak):
     if len(weak):
         listed = [f"{short(r)} ({g3(r.pga_fails_g)} g)" for r in weak.itertuples()]
         return [
-            f"Tie or hold the façade against: {'; '.join(listed)}. Which rows of ties do so stands "
-            "on page 1.",
+            f"Tie or hold the façade against: {'; '.join(listed)}.",
             "Verify on site what the checks leave out: the bond with the return walls, the anchors "
             "of floors and roof, the quality of the masonry.",
         ]

@@ -22,6 +22,7 @@ from typing import NamedTuple
 
 from yade_scripts.model.shape import shape_of
 
+FULL = 0.999  # of what an anchor holds that a rod may take: the rod yields first
 PARTIAL = 2.0  # γ_M of existing masonry, NTC 2018, 7.8.1.1
 PUNCHING, CRUSHING, STATED = "punching", "crushing", "stated"
 SIDE_M = 1e-6

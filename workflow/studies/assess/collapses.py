@@ -20,7 +20,7 @@ BELOW = 1.25  # times below the lowest that falls, where the climb begins; as fa
 NOTHING = {"pga_p10_g": math.nan, "pga_median_g": math.nan}
 
 
-def by_part(parts, turns, most_g, known_g=None):
+def by_part(parts, turns, most_g, known_g=None, from_g=None):
     """Collapse of some mechanisms, in their order: by part a list of rows, one a turn.
 
     Parameters
@@ -32,6 +32,9 @@ def by_part(parts, turns, most_g, known_g=None):
     known_g : sequence of float, optional
         Half collapse that is known already by turn, NaN where nothing fell: where it is given,
         parts are followed up to the least of it and of the parts before.
+    from_g : mapping of str to sequence of float, optional
+        By part and turn, up to where it is known to stand; where it is given, no history below is
+        run.
 
     Returns
     -------
@@ -43,34 +46,49 @@ def by_part(parts, turns, most_g, known_g=None):
         least = np.fmin(least, np.asarray(known_g, float))
     for part, case in parts.items():
         short = np.isfinite(least) & (known_g is not None)
+        stands = np.zeros(len(turns)) if from_g is None else np.asarray(from_g[part], float)
         rows: list = [None] * len(turns)
         for own, follow in ((~short, _climbed), (short, _asked)):
             which = np.flatnonzero(own)
             if which.size:
                 some = [turns[k] for k in which]
-                for k, row in zip(which, follow(case, some, most_g, least[which]), strict=True):
+                given = case, some, most_g, least[which], stands[which]
+                for k, row in zip(which, follow(*given), strict=True):
                     rows[k] = row
         least = np.fmin(least, np.array([row["pga_median_g"] for row in rows], float))
         found[part] = rows
     return found
 
 
-def _climbed(case, turns, most_g, _):
-    """Short climbs from where they begin by themselves."""
-    rows = crossings_of(case, turns, [{"max_pga_g": float(most_g)}] * len(turns))
-    return [{**row, "pga_max_g": float(most_g)} for row in rows]
+def _climbed(case, turns, most_g, _, from_g):
+    """Short climbs from where they begin by themselves, or from above where a part stands."""
+    rows = [{**NOTHING, "runs_planar": 0, "pga_max_g": float(most_g)} for _ in turns]
+    which = [k for k, start in enumerate(from_g) if start < most_g]
+    limits = [{"max_pga_g": float(most_g)} | _begun(from_g[k]) for k in which]
+    if which:
+        climbs = crossings_of(case, [turns[k] for k in which], limits, brief=True)
+        for k, climb in zip(which, climbs, strict=True):
+            rows[k] |= climb
+    return rows
 
 
-def _asked(case, turns, most_g, least_g):
-    """Whether and where a part falls below what is known by turn [g].
+def _begun(from_g):
+    """Setting of a climb that begins above where a part stands; none where that is not known."""
+    return {"from_g": float(from_g)} if from_g > 0.0 else {}
+
+
+def _asked(case, turns, most_g, least_g, from_g):
+    """Whether and where a part falls below what is known by turn [g], above where it stands.
 
     The highest amplitudes first: where the part stays below `CALM` at them, none below is run.
     """
     ends = np.minimum(least_g, most_g)
     count = 1 + math.ceil(math.log(1.0 / DEEP) / math.log(RATIO))
     levels = [end * RATIO ** np.arange(1.0 - count, 0.5) for end in ends]
+    levels = [own[own > start] for own, start in zip(levels, from_g, strict=True)]
     first = _listed(case, turns, [own[-FIRST:] for own in levels])
-    moved = [k for k, table in enumerate(first) if not table["d_over_b"].max() < CALM]
+    more = [k for k, own in enumerate(levels) if len(own) > FIRST]
+    moved = [k for k in more if not first[k]["d_over_b"].max() < CALM]
     rest = _listed(case, [turns[k] for k in moved], [levels[k][:-FIRST] for k in moved])
     for k, table in zip(moved, rest, strict=True):
         first[k] = pd.concat([table, first[k]], ignore_index=True)
@@ -79,13 +97,14 @@ def _asked(case, turns, most_g, least_g):
         fell = table.loc[table["status"] == "overturned", "pga_g"]
         rows.append({**NOTHING, "runs_planar": len(table), "pga_max_g": float(end)})
         if len(fell):
-            again.append((k, float(fell.min()), fell.min() <= levels[k][0] * RATIO))
+            deep = from_g[k] == 0.0 and fell.min() <= levels[k][0] * RATIO
+            again.append((k, float(fell.min()), deep))
     if again:
         limits = [
-            {"max_pga_g": at * BELOW} | ({} if deep else {"from_g": at / BELOW})
-            for _, at, deep in again
+            {"max_pga_g": at * BELOW} | ({} if deep else {"from_g": max(at / BELOW, from_g[k])})
+            for k, at, deep in again
         ]
-        climbs = crossings_of(case, [turns[k] for k, *_ in again], limits)
+        climbs = crossings_of(case, [turns[k] for k, *_ in again], limits, brief=True)
         for (k, at, _), climb in zip(again, climbs, strict=True):
             runs = rows[k]["runs_planar"] + climb["runs_planar"]
             half = climb["pga_median_g"]
@@ -95,9 +114,19 @@ def _asked(case, turns, most_g, least_g):
 
 
 def _listed(case, turns, levels):
-    """Outcomes of a case at stated amplitudes by turn, a table each."""
-    if not turns:
-        return []
-    settings = [{"pga_g": own.tolist()} for own in levels]
-    found = collapse_curves(case, turns, search="list", settings=settings, fraction=LONG_STEP)
-    return [curve.table for curve in found]
+    """Outcomes of a case at stated amplitudes by turn, a table each; of none an empty one."""
+    nothing = pd.DataFrame({"pga_g": [], "status": [], "d_over_b": []})
+    tables, which = [nothing] * len(turns), [k for k, own in enumerate(levels) if len(own)]
+    if which:
+        settings = [{"pga_g": levels[k].tolist()} for k in which]
+        found = collapse_curves(
+            case,
+            [turns[k] for k in which],
+            search="list",
+            settings=settings,
+            fraction=LONG_STEP,
+            brief=True,
+        )
+        for k, curve in zip(which, found, strict=True):
+            tables[k] = curve.table
+    return tables

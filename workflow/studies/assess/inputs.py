@@ -16,13 +16,15 @@ STATED = {  # keys that an assessment does not take from the case study
     "assessment": ("confidence_factor",),
 }
 
+RODS = ("diameter_mm", "length_m")  # of a row of ties that is there
+
 
 def check_stated(given, models=()):
     """Refuse a façade whose numbers would be the case study's, in one line with every missing key.
 
     `given` is the configuration as the user gave it, which tells what is stated from what is a
     default. Where walls carry the building under one of `models`, its mass or section `building` is
-    asked for too.
+    asked for too; of a row of ties what its rods are.
     """
     missing, wanted = [], dict(STATED)
     if "building" not in given and any(MODELS[name].two_way for name in models):
@@ -31,6 +33,14 @@ def check_stated(given, models=()):
         part = given.get(section)
         known = part if isinstance(part, Mapping) else {}
         missing += [f"{section}.{key}" for key in keys if key not in known]
+    facade = given.get("facade")
+    ties = facade.get("ties") if isinstance(facade, Mapping) else None
+    for number, row in enumerate(ties if isinstance(ties, list) else (), 1):
+        missing += [
+            f"facade.ties.{number}.{key}"
+            for key in RODS
+            if isinstance(row, Mapping) and key not in row
+        ]
     if missing:
         raise ValueError(
             f"assess: {', '.join(missing)} not stated; expected in the façade's file, not the case "

@@ -268,7 +268,8 @@ def next_steps(data):
             "fit the demand within the code's bounds, so their check is not yet that of the code."
         )
     given = t["code_checks"], t["mechanisms"], t["verdicts"], t["shaken"]
-    return advice.next_steps(*given, worse, known, misfit)
+    thinner = advice.thinner_is_better(t["code_sensitivity"])
+    return advice.next_steps(*given, worse, thinner, known, misfit)
 
 
 def fragility(data):

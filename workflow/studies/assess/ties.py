@@ -16,7 +16,7 @@ growth has made needless (`ties_grown.lowered`). What no added row makes hold is
 
 No row is stronger than its anchors: as many as fit side by side, each with what a plate holds on
 that wall (`anchors`). What is recommended is the least force times `assessment.tie_margin`, in rods
-that are sold, of which each takes less than its anchor holds (`built`). Under the motions a
+that are sold, of which each takes less than its anchor holds (`ties_built`). Under the motions a
 stronger row may fail where a weaker one holds, so those rods are shaken again, and larger ones
 tried where they fail. What the other models ask for alone is found roughly and told beside.
 """
@@ -32,20 +32,10 @@ from studies.assess.shaken import label
 from studies.assess.sites import LEAST_PART_M
 from studies.assess.slv import Slv, read_as
 from studies.assess.strengthening import row_of_rods
-from studies.assess.ties_grown import (
-    BY_HAND,
-    LEAST_SHARE,
-    MOST_SHARE,
-    first_failing,
-    grown,
-    lowered,
-    with_force,
-)
+from studies.assess.ties_built import built
+from studies.assess.ties_grown import LEAST_SHARE, MOST_SHARE, grown, lowered, with_force
 
 CLOSE = 0.005  # relative, of a row's least force
-SAME_M = 1e-6  # heights
-COMMERCIAL_MM = (6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 36, 40, 45, 50, 60, 70, 80)
-FULL = 0.999  # of what an anchor holds that a rod may take: the rod yields first
 WEAKER = 0.99  # a place is weaker than those that are known from here on
 ROUNDS = 8  # in which weaker places are looked for
 
@@ -91,7 +81,7 @@ class Tied:
 
     def most_n(self, height_m):
         """Force of the strongest row at a height [N]: what its anchors hold."""
-        return FULL * self.most(height_m) * self.anchor(height_m).force_n
+        return anchors.FULL * self.most(height_m) * self.anchor(height_m).force_n
 
     def rods(self):
         """Section strengthening with the length of rods that are recommended."""
@@ -102,7 +92,7 @@ class Tied:
         """Rods of a row: as stated, or as many as the anchors ask for."""
         if row.rods:
             return row.rods
-        needed = math.ceil(row.force_n / (FULL * self.anchor(row.height_m).force_n) - 1e-9)
+        needed = math.ceil(row.force_n / (anchors.FULL * self.anchor(row.height_m).force_n) - 1e-9)
         return max(min(self.sections["strengthening"]["count"], self.most(row.height_m)), needed, 1)
 
     def entry(self, row):
@@ -202,9 +192,25 @@ class Tied:
             Labels of mechanisms that fail with the strongest rows too.
         """
         for _ in range(ROUNDS):
-            rows, beyond = self._least(levels)
+            rows, beyond = self._least_in_sum(levels)
             if not rows or not self.looked_again(rows) or self.passes(rows, beyond):
                 break
+        return rows, beyond
+
+    def _least_in_sum(self, levels):
+        """Of all levels, of each alone and of all but one the rows that need the least in sum.
+
+        None of them leaves more mechanisms beyond than all levels do.
+        """
+        rows, beyond = self._least(levels)
+        used = [row.height_m for row in rows]
+        others = [[z] for z in levels] + [[z for z in used if z != out] for out in used]
+        for some in others if len(used) > 1 else [[z] for z in levels if z not in used]:
+            if not rows or not some:
+                continue
+            fewer, left = self._least(some)
+            if fewer and set(left) <= set(beyond) and _sum_n(fewer) < _sum_n(rows):
+                rows, beyond = fewer, left
         return rows, beyond
 
     def _least(self, levels):
@@ -233,6 +239,11 @@ class Tied:
         if holds(0.0):
             return 0.0
         return _halved(holds, LEAST_SHARE * self.weight_n, rows[k].force_n)
+
+
+def _sum_n(rows):
+    """Sum of the forces of rows [N]."""
+    return sum(row.force_n for row in rows)
 
 
 def levels_of(sections):
@@ -270,11 +281,6 @@ def _halved(holds, low, high):
         middle = math.sqrt(low * high)
         low, high = (low, middle) if holds(middle) else (middle, high)
     return high
-
-
-def commercial(diameter_mm):
-    """Next diameter that is sold [mm]; the diameter itself beyond the last."""
-    return next((d for d in COMMERCIAL_MM if d >= diameter_mm - 1e-9), math.ceil(diameter_mm))
 
 
 class Found(NamedTuple):
@@ -342,71 +348,3 @@ def _shaken(shaken, rows, models, say):
                 likely[k] = growth.why
         rows, likely = lowered(shaken, rows, models, say, likely)
     return rows, likely
-
-
-def in_steel(tied, row, least_n):
-    """Row of rods that are sold whose force is no less than `least_n`; None where none is.
-
-    Of all numbers of rods that fit, the least with which each takes less than its anchor holds.
-    """
-    own, one_n = tied.rods(), FULL * tied.anchor(row.height_m).force_n
-    first = tied.count(row._replace(force_n=least_n, rods=0))
-    for count in range(first, tied.most(row.height_m) + 1):
-        rod = row_of_rods({**own, "count": count}, row.height_m, 1e-3 * least_n)
-        size = commercial(rod["diameter_mm"])
-        force_n = least_n * (size / rod["diameter_mm"]) ** 2
-        if force_n <= count * one_n:
-            return row._replace(force_n=force_n, rods=count)
-    return None
-
-
-def built(tied, rows, beyond, shaken, say=lambda text: None):
-    """Rows as they are recommended, and whether the façade passes with them as with the least.
-
-    Each is the least force times `assessment.tie_margin` in rods that are sold (`in_steel`); while
-    a mechanism fails with them, by hand or shaken, the highest of the rows that pull on it gets the
-    next larger. Where a row fits no such rods it is as strong as its anchors let it be.
-    """
-    margin = tied.sections["assessment"]["tie_margin"]
-    found, whole = [], True
-    for row in rows:
-        made = in_steel(tied, row, margin * row.force_n) if row.force_n else row
-        if made is None:
-            made, whole = in_steel(tied, row, row.force_n) or row, False
-        found.append(made)
-    while True:
-        which = _pulling(tied, found, beyond, shaken)
-        said = ", ".join(f"{1e-3 * r.force_n:.4g} kN in {tied.count(r)}" for r in found)
-        if which is None:
-            say(f"as built: {said}: hold")
-            return found, whole
-        larger = None
-        if which:
-            larger = in_steel(tied, found[which[0]], 1.02 * found[which[0]].force_n)
-        if larger is None:
-            say(f"as built: {said}: do not hold")
-            return found, False
-        found[which[0]] = larger
-
-
-def held_by(mechanism, rows):
-    """Indices of the rows that pull on a mechanism by hand, the highest first.
-
-    Read off its own pulls: a row at or below its foot, or where it is kept in place, is none.
-    """
-    pulled = [float(p.path(0.0)[1].real) for p in mechanism.pulls if p.force_n > 0.0]
-    own = [
-        k
-        for k, row in enumerate(rows)
-        if row.force_n and any(abs(row.height_m - z) < SAME_M for z in pulled)
-    ]
-    return sorted(own, key=lambda k: -rows[k].height_m)
-
-
-def _pulling(tied, rows, beyond, shaken):
-    """Rows that pull on a mechanism that fails, the highest first; None where none fails."""
-    by_hand = [name for name in tied.failing(rows) if name not in beyond]
-    if by_hand:
-        return held_by(tied.mechanisms(rows)[0][by_hand[0]].mechanism, rows)
-    failing = None if shaken is None else first_failing(shaken, rows, shaken.models[:1])
-    return None if failing in (None, BY_HAND) else failing.rows

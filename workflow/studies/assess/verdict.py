@@ -14,8 +14,8 @@ ROUNDED = 1e-4  # relative; tables have six figures
 SURE = 0.005  # of a probability that rounds to 0 or 100 %
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 NOT_SHAKEN = {  # by why a mechanism was not shaken
-    CORNER: "which do not turn over the whole width",
-    STOCKY: "lower than twice its thickness, so that it slides first",
+    CORNER: "not over the whole width",
+    STOCKY: "lower than twice the thickness there, where a wall slides before it rocks",
     FAR: "by hand far from the demand",
     REFUSED: "which the models do not take",
 }
@@ -176,13 +176,16 @@ def _governed(verdicts, shaken, held, fit):
         )
     elif row["agree"] < LEAST_DRAWS:
         words += f"; {per_cent(row['agree'])} of draws of single histories say the same"
-    others = [name for name in worst.index if name != model]
-    sure = surely(worst)
-    said = [f"with {n} it is {'' if sure[n] else 'not '}fulfilled" for n in others]
-    words += "." + (f" Beside it {words_of(said)}." if said else "")
+    words += "." + _others(surely(worst).drop(model))
     if fit is not None and not fit[2]:
         words += " The motions' mean spectrum does not fit the demand within the code's bounds."
     return words
+
+
+def _others(sure):
+    """What the check says with the other models: `sure` has by model whether it is fulfilled."""
+    said = [(list(sure.index[sure]), "fulfilled"), (list(sure.index[~sure]), "not fulfilled")]
+    return "".join(f" With {words_of(names)} it is {what}." for names, what in said if names)
 
 
 def moving(row):

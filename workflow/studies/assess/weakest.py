@@ -66,11 +66,14 @@ def parts(family):
         def measure(z, part=part):
             return family.measure(Site(part, float(z)))
 
-        samples = [(measure(z), z) for z in _sampled(low, high)]
+        heights = _sampled(low, high)
+        if heights and high == ends[-1]:  # where the list ends and nothing changes
+            heights.append(high)
+        samples = [(measure(z), z) for z in heights]
         if not samples:
             continue
         best, at = min(samples)
-        places = [low, *(z for _, z in samples), high]
+        places = [low, *heights, high]
         k = places.index(at)
         at, best = _least(measure, places[k - 1] + NEAR_M, places[k + 1] - NEAR_M, at, best)
         if best < WORTH * min(listed[low], listed.get(high, math.inf)):

@@ -6,11 +6,12 @@ from rocking.records import load_as
 from rocking.risk.sufficiency import properties
 from rocking.runtime.script import run
 from rocking.tables import write_table
+from studies.assess.anchors import completed_settings
 from studies.assess.code_checks import failing_pga, mechanism_of, pulse_share
 
 
 def main(job):
-    settings, rows = json.loads(job.params.settings), []
+    settings, rows = completed_settings(json.loads(job.params.settings)), []
     mechanism = mechanism_of(settings)
     for name, station in job.params.records.items():
         record = load_as(settings, name, job.params.table)

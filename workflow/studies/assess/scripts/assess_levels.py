@@ -12,13 +12,14 @@ from rocking.records import load_as, measures
 from rocking.runtime.script import run
 from rocking.tables import read_frame, write_table
 from studies.assess import selection
+from studies.assess.anchors import completed_settings
 from studies.assess.checks import LEAST_KNOWN
 from studies.assess.code_checks import code_checks, least
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.comparison import CHECKED_AG_G, SITE
 from studies.assess.dynamic_check import histories, limits_of, verdict
 from studies.assess.family import Family
-from studies.assess.shaken import cases
+from studies.assess.shaken import cases, settled
 from studies.assess.sites import site_of
 from studies.assess.slv import Slv, read_as
 
@@ -40,7 +41,8 @@ def by_hand(one, settings, demand):
 
 
 def main(job):
-    settings, stations = json.loads(job.params.settings), job.params.stations
+    settings = completed_settings(json.loads(job.params.settings))
+    stations = job.params.stations
     own = settings["assessment"]
     records = {name: load_as(settings, name, job.params.table) for name in stations}
     period_s = selection.periods(own["match_low_s"], HIGH_S, POINTS)
@@ -65,7 +67,7 @@ def main(job):
         turns += [((motion, own_g), settings["directions"][0]) for own_g in pga_g.values()]
         at_g += pga_g.keys()
     for path in job.input.cases:
-        for about, case in cases(Case.read(str(path)), shaken):
+        for about, case in cases(settled(Case.read(str(path)), own), shaken):
             found = histories(case.sections, turns, LONG_STEP)
             tables = [one.assign(ag_g=ag_g) for one, ag_g in zip(found, at_g, strict=True)]
             table = pd.concat(tables, ignore_index=True)

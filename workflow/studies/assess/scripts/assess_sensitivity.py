@@ -47,7 +47,7 @@ def half_collapse(case, shaken, max_pga_g, stated_g):
     limit, found = {"max_pga_g": max_pga_g}, np.full(len(shaken), np.nan)
 
     def sought(which, settings):
-        some = crossings_of(case, [shaken[k] for k in which], settings)
+        some = crossings_of(case, [shaken[k] for k in which], settings, brief=True)
         found[which] = [one["pga_median_g"] for one in some]
 
     known, start = np.isfinite(stated_g), BELOW * stated_g

@@ -130,6 +130,15 @@ def test_walls_that_carry_a_building_do_not_carry_the_case_studys():
     inputs.check_stated(STATED | {"building": {}}, ["W2m"])
 
 
+def test_rods_of_ties_that_are_there_are_stated():
+    """Length and diameter say how far a rod stretches before it yields or breaks."""
+    rods = {"height_m": 4.0, "diameter_mm": 22.0, "length_m": 9.0}
+    tied = {**STATED, "facade": {**STATED["facade"], "ties": [rods, {"height_m": 6.0}]}}
+    with pytest.raises(ValueError, match=r"ties\.2\.diameter_mm, facade\.ties\.2\.length_m not"):
+        inputs.check_stated(tied)
+    inputs.check_stated({**STATED, "facade": {**STATED["facade"], "ties": [rods]}})
+
+
 def test_rows_of_a_list_are_marked_key_by_key():
     floors = [{"height_m": 3.0, "load_kn": 20.0}]
     given = STATED | {"facade": STATED["facade"] | {"floors": floors}}

@@ -53,11 +53,18 @@ def test_short_steps_are_taken_where_long_ones_move_a_part_far(monkeypatch):
     dynamic_check.decided({}, turns, LIMITS, 5, 1, FINE)
     assert [name for name, _, step in asked if step is None] == ["near", "far", "far"]
     assert [name for name, count, _ in asked if count] == ["far"]
+    asked.clear()
+    courses = {"facade": {"courses": 4}}
+    dynamic_check.decided(courses, turns, LIMITS, 5, 1, FINE)
+    assert asked == [(n, 0, None) for n in ("calm", "near", "far")] + [("far", 5, None)]
+    asked.clear()
+    dynamic_check.decided(courses, turns, LIMITS, 5, 1, ROUGH)
+    assert {step for *_, step in asked} == {long}
 
 
 @pytest.mark.parametrize("falls", [None, 0, 2, 9])
 def test_turns_side_by_side_decide_as_one_after_another(monkeypatch, falls):
-    """What was run beyond the turn that ends the check counts for nothing."""
+    """What was run beyond the turn that ends the check counts for nothing, and is a vector."""
     limits, asked = dynamic_check.Limits(0.5, 0.3, 0.3), []
 
     def history(job, turns, fraction=None, realisations=0):
@@ -77,4 +84,6 @@ def test_turns_side_by_side_decide_as_one_after_another(monkeypatch, falls):
         beside = dynamic_check.decided({}, turns, limits, 0, 1, ROUGH, pool.map, 2)
     assert beside == alone
     assert alone[1] == (None if falls is None else turns[falls])
-    assert sorted(asked) == sorted(2 * list(range(20)))
+    width, last = dynamic_check.VECTOR, 19 if falls is None else falls
+    counts = [min(20, one * (last // one + 1)) for one in (width, 2 * width)]
+    assert sorted(asked) == sorted(n for count in counts for n in range(count))

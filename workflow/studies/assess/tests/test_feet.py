@@ -12,6 +12,7 @@ from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from studies.assess.code_checks import governing
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.family import Family
+from studies.assess.sites import LEAST_PART_M
 from studies.assess.slv import Slv
 from weakest_cases import dense_mechanisms, least_by_kind
 
@@ -72,6 +73,18 @@ def test_two_rows_a_tie_at_the_eaves_a_setback_and_an_anchored_floor():
     parts, bends = plane(third)
     assert parts[round(8.0 / 3.0, 6)] == pytest.approx(0.42 / (16.0 / 3.0), rel=1e-6)
     assert len(bends) == 1
+
+
+def test_squat_parts_under_a_row_at_the_top_are_looked_at_where_the_list_ends():
+    """The row's lever goes with the part's height: of them the lowest fails first, at the end."""
+    drawn = several(39, 64)[38]
+    resolved, own = config.resolve(drawn), drawn["assessment"]
+    demand = CodeDemand(own["ag_g"], own["f0"], own["tc_star_s"], own["soil"])
+    family = Family(resolved, slv=Slv(resolved, demand))
+    found = [site for site in family.sites() if site.held_m is None and not site.side]
+    last = family.masonry.top_m - LEAST_PART_M
+    dense = [family.slv(family.part(float(z), "part")) for z in np.linspace(last - 0.3, last, 16)]
+    assert min(map(family.measure, found)) <= 1.01 * min(dense)
 
 
 def test_a_new_kind_of_hold_brings_its_foot_along():

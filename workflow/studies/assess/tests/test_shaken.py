@@ -4,6 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking import Case, Motion
+from rocking.collapse import curve, scan, search
 from rocking.configuration import config
 from rocking.risk.hazard import Hazard
 from studies.assess import collapses, shaken
@@ -95,6 +96,26 @@ def test_climbs_that_end_where_another_has_fallen_lose_no_first_collapse():
         half = [[row["pga_median_g"] for row in own] for own in rows.values()]
         halves.append(np.nanmin(half, axis=0))
     assert halves[1] == pytest.approx(halves[0], rel=0.02)
+
+
+@pytest.mark.slow
+def test_a_climb_from_where_a_part_stands_finds_the_same_and_runs_none_below(monkeypatch):
+    case = Case.configured("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
+    turns = [(Motion.named("IS101_Lo", "config/suites/recorded_suite.tsv"), "neg")]
+    (usual,) = collapses.by_part({"whole": case}, turns, 2.0)["whole"]
+    start, asked = 0.9 * usual["pga_median_g"], []
+
+    def marched(asks):
+        asked.extend(float(np.min(levels)) for _, levels, _ in asks if len(levels))
+        return scan.marched(asks)
+
+    monkeypatch.setattr(curve, "seen_together", lambda one: scan.seen_together(one, marched))
+    found = collapses.by_part({"whole": case}, turns, 2.0, None, {"whole": [start]})["whole"]
+    assert found[0]["pga_median_g"] == pytest.approx(usual["pga_median_g"], rel=search.SPREAD)
+    assert min(asked) >= 0.96 * start  # realisations lie either side of an amplitude
+    none = collapses.by_part({"whole": case}, turns, 2.0, None, {"whole": [2.0]})["whole"]
+    assert (none[0]["runs_planar"], none[0]["pga_max_g"]) == (0, 2.0)
+    assert np.isnan(none[0]["pga_median_g"])
 
 
 def test_what_was_not_shaken_is_bounded_by_what_falls_earliest_against_its_check():

@@ -72,3 +72,17 @@ def test_thicker_tied_or_better_anchored_is_no_worse(k, turns):
             assert strong["annual_rate"] <= weak["rate_high"]
     last = found[-1]["annual_rate"]
     assert not last > found[0]["annual_rate"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("k", range(2))
+def test_a_lighter_wall_on_the_same_tie_is_no_worse(k, turns):
+    """The tie pulls with as much on less weight: α0 rises by F h/(W h/2) as W falls."""
+    given = [one for one in several(30, 12) if one["facade"]["height_m"] < 5.0][k]
+    row = {"height_m": given["facade"]["height_m"], "length_m": 6.0, "diameter_mm": 12.0}
+    bare = with_facade(given, ties=[{**row, "anchor_kn": 10.0}], floors=[], thickness_steps=[])
+    found = [rate(with_facade(bare, density_kg_m3=d), turns) for d in (2200.0, 1900.0, 1600.0)]
+    assert np.isfinite(found[0]["annual_rate"])
+    for heavy, light in zip(found, found[1:], strict=False):
+        assert not light["annual_rate"] > heavy["rate_high"]
+    assert not found[-1]["annual_rate"] > found[0]["annual_rate"]

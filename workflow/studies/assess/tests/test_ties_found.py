@@ -8,7 +8,15 @@ import pandas as pd
 import pytest
 from rocking import Case, Motion
 from rocking.configuration import config as configuration
-from studies.assess import anchors, inputs, ties, ties_grown, ties_shaken, ties_tables
+from studies.assess import (
+    anchors,
+    inputs,
+    ties,
+    ties_built,
+    ties_grown,
+    ties_shaken,
+    ties_tables,
+)
 from studies.assess.code_checks import slv_pga
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.shaken import label
@@ -39,6 +47,31 @@ def test_rows_may_stand_at_floors_and_eaves_or_where_it_is_said():
     assert ties.levels_of(sections({**PLAIN, "height_m": 8.0, "floors": near})) == [4.0, 8.0]
     assert ties.levels_of(sections(STOREYS, tie_levels_m=[4.0])) == [4.0]
     assert ties.levels_of(sections(STOREYS, tie_levels_m=[])) == []
+
+
+def test_other_levels_are_taken_where_they_need_less_in_sum(monkeypatch):
+    """Of all levels, each alone and all but one: the least sum that leaves nothing more beyond."""
+    tied, need = (
+        ties.Tied(sections(STOREYS), DEMAND),
+        {
+            (2.8, 5.5, 8.0): ([20e3, 0.0, 30e3], ["gable"]),
+            (2.8,): ([10e3], ["gable", "above"]),  # less, and leaves another
+            (5.5,): ([45e3], ["gable"]),
+            (8.0,): ([60e3], ["gable"]),
+        },
+    )
+
+    def least(levels):
+        forces, beyond = need.get(tuple(levels), ([], []))
+        rows = map(ties.TieRow, levels, forces)
+        return [row for row in rows if row.force_n], beyond
+
+    monkeypatch.setattr(tied, "_least", least)
+    monkeypatch.setattr(tied, "looked_again", lambda rows: False)
+    assert tied.least([2.8, 5.5, 8.0]) == ([ties.TieRow(5.5, 45e3)], ["gable"])
+    need[5.5,] = ([55e3], ["gable"])
+    rows, _ = tied.least([2.8, 5.5, 8.0])
+    assert [row.height_m for row in rows] == [2.8, 8.0]
 
 
 def test_a_row_above_the_return_walls_is_refused_in_one_line():
@@ -99,7 +132,7 @@ def test_a_facade_that_passes_needs_no_row():
 
 
 def test_what_is_sold_is_not_thinner():
-    assert [ties.commercial(d) for d in (7.2, 8.0, 8.01, 27.0, 95.2)] == [8, 8, 10, 28, 96]
+    assert [ties_built.commercial(d) for d in (7.2, 8.0, 8.01, 27.0, 95.2)] == [8, 8, 10, 28, 96]
 
 
 class Shaken:
@@ -233,7 +266,7 @@ def test_the_table_has_what_fails_with_less_and_rods_whose_anchors_hold():
     tied = ties.Tied(sections(PLAIN), DEMAND)
     rows = [ties.TieRow(z, f) for z, f in ((2.0, 0.0), (3.0, 5e3), (6.0, 40e3))]
     why = [None, ties_grown.BY_HAND, failing]
-    made = [row if not row.force_n else ties.in_steel(tied, row, row.force_n) for row in rows]
+    made = [row if not row.force_n else ties_built.in_steel(tied, row, row.force_n) for row in rows]
     found = ties.Found(rows, [0.0, 4e3, 0.0], [], why, made, True, {"W1": [0.0, 0.0, 7e3]})
     table = ties_tables.table_of(tied, found, "W2m")
     assert [row["height_m"] for row in table] == [3.0, 6.0]
@@ -277,18 +310,18 @@ def test_what_is_built_has_the_margin_and_is_the_next_size_with_which_it_holds()
     tied.failing, tied.passes = lambda rows: {}, lambda rows, beyond: True
     rows = [ties.TieRow(3.0, 30e3), ties.TieRow(6.0, 40e3)]
     shaken = Shaken(tied, {"whole": ([1, 0], (0.0, 1.0), 0.0)})
-    first, holds = ties.built(tied, rows, [], shaken)
+    first, holds = ties_built.built(tied, rows, [], shaken)
     assert holds
     for row, made in zip(rows, first, strict=True):
         assert 1.25 * row.force_n <= made.force_n <= made.rods * tied.anchor(6.0).force_n
     least_n = first[1].force_n
     shaken.holds = lambda rows, failing: not math.isclose(rows[1].force_n, least_n)
-    second, holds = ties.built(tied, rows, [], shaken)
+    second, holds = ties_built.built(tied, rows, [], shaken)
     assert holds
     assert second[0] == first[0]
     assert second[1].force_n > 1.02 * least_n
     shaken.holds = lambda rows, failing: False
-    assert not ties.built(tied, rows, [], shaken)[1]
+    assert not ties_built.built(tied, rows, [], shaken)[1]
 
 
 def test_what_no_row_makes_hold_is_left_out_and_grows_none():
@@ -307,8 +340,8 @@ def test_rows_pull_on_what_turns_below_them():
     tied = ties.Tied(sections(PLAIN), DEMAND)
     rows = two_rows(tied)
     family = tied.family(rows)
-    assert ties.held_by(family.part(0.0, "whole").mechanism, rows) == [1, 0]
-    assert ties.held_by(family.part(4.0, "part").mechanism, rows) == [1]
+    assert ties_built.held_by(family.part(0.0, "whole").mechanism, rows) == [1, 0]
+    assert ties_built.held_by(family.part(4.0, "part").mechanism, rows) == [1]
 
 
 def test_behind_a_part_are_the_rows_of_its_case():
@@ -317,7 +350,7 @@ def test_behind_a_part_are_the_rows_of_its_case():
     rows = two_rows(tied)
     known = {label(one): one for one in tied.family(rows).all() if one.plane}
     bends = next(one for one in known.values() if one.foot_m == 3.0 and one.held_m == 6.0)
-    assert ties.held_by(bends.mechanism, rows) == []
+    assert ties_built.held_by(bends.mechanism, rows) == []
     given = {"facade": {**PLAIN, "ties": tied.entries(rows)}, "smdof.n_dof": 3}
     case = Case.configured("W1", {**given, "damping": {"law": "value", "beta_s": 0.001}})
     for one in known.values():

@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.mechanics.mechanism import WHOLE
-from studies.assess.advice import damage, next_steps
+from studies.assess.advice import damage, next_steps, thinner_is_better
 from studies.assess.verdict import (
     capacity,
     decided_by,
@@ -212,9 +212,9 @@ def test_page_1_names_the_wall_and_what_was_not_shaken_with_the_reason():
     block = headline(*given, {**FACADE, "courses": 0})[0]
     assert block.endswith("is one rigid block on even springs of E/h.")
     assert said[2].endswith(
-        "Not shaken, judged by hand alone: the left corner above 5.00 m (0.31 g), which do not "
-        "turn over the whole width; the part above 5.70 m (0.5 g), lower than twice its thickness, "
-        "so that it slides first; vertical bending (0.9 g), by hand far from the demand."
+        "Not shaken, judged by hand alone: the left corner above 5.00 m (0.31 g), not over the "
+        "whole width; the part above 5.70 m (0.5 g), lower than twice the thickness there, where a "
+        "wall slides before it rocks; vertical bending (0.9 g), by hand far from the demand."
     )
     assert "of the 1 mechanism that was shaken is fulfilled" in said[2]
 
@@ -231,3 +231,15 @@ def test_the_capacity_has_a_ratio_and_a_return_period():
     stated = mechanisms(whole=0.1)
     assert capacity(stated, 0.2, "123").endswith("a return period of 123 years.")
     assert "ζE = 0.50" in capacity(stated, 0.2, None)
+
+
+@pytest.mark.parametrize(("thick", "said"), [(0.7, True), (1.1, False)])
+def test_a_thicker_wall_that_is_allowed_less_is_told(thick, said):
+    ratios = [(0.95, "slv_ground", 1.0), (0.95, "slv_height", 0.9), (1.05, "slv_height", thick)]
+    rows = [("facade.thickness_m", *one) for one in [*ratios, (1.05, "slv_ground", 1.2)]]
+    table = pd.DataFrame(rows, columns=["key", "factor", "check", "ratio"])
+    line = thinner_is_better(table)
+    assert bool(line) is said
+    if said:
+        assert "at 0.95 times it is passed up to 90 %" in line
+        assert "at 1.05 times up to 70 %" in line

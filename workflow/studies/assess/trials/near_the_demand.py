@@ -45,12 +45,12 @@ def suite():
 
 
 def mechanisms_of(given, model, motions, stations, most_g=2.0):
-    """One row a mechanism of one drawn façade."""
+    """One row a mechanism of one drawn façade; the check alone where `most_g` is 0."""
     from rocking import Case
     from rocking.collapse.quick import crossings_of
     from rocking.configuration import config
     from rocking.records import measures
-    from rocking.risk.fragility import brackets_about, fit
+    from rocking.risk.fragility import Fragility, brackets_about, fit
     from studies.assess import selection
     from studies.assess.anchors import completed_settings
     from studies.assess.code_checks import family_of, governing
@@ -80,9 +80,12 @@ def mechanisms_of(given, model, motions, stations, most_g=2.0):
     for row, part in cases(case, table):
         histories = checked(part.sections, scaled, ["pos", "neg"], limits[row.part], REALISATIONS)
         said = pd.DataFrame([verdict(histories, limits[row.part], 1)])
-        ends = [{"max_pga_g": most_g}] * len(turns)
-        half = np.array([r["pga_median_g"] for r in crossings_of(part, turns, ends)], float)
-        found = fit(*brackets_about(half, np.full(len(half), most_g), EXACT))
+        half, found = np.full(len(turns), np.nan), Fragility(np.nan, np.nan)
+        if most_g > 0.0:
+            ends = [{"max_pga_g": most_g}] * len(turns)
+            climbs = crossings_of(part, turns, ends, brief=True)
+            half = np.array([one["pga_median_g"] for one in climbs], float)
+            found = fit(*brackets_about(half, np.full(len(half), most_g), EXACT))
         share = float(found.probability(demand.pga_g)) if np.isfinite(found.median) else 0.0
         rows[row.part] = {
             "held": int(surely(said)[0]),
@@ -120,8 +123,10 @@ def summary(table):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--count", type=int, default=40)
+    parser.add_argument("--first", type=int, default=0, help="which façade of the seed is first")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--model", default="W2")
+    parser.add_argument("--checks", action="store_true", help="the dynamic check, no collapse")
     parser.add_argument("--output", required=True)
     given = parser.parse_args()
     os.chdir(ROOT)
@@ -130,11 +135,13 @@ def main():
     motions, stations = suite()
     path = Path(given.output)
     done = set(pd.read_csv(path)["facade"]) if path.exists() else set()
-    for k, drawn in enumerate(several(given.count, given.seed)):
+    end = given.first + given.count
+    for k, drawn in enumerate(several(end, given.seed)[given.first :], given.first):
         if k in done:
             continue
         try:
-            found = mechanisms_of(drawn, given.model, motions, stations)
+            most_g = 0.0 if given.checks else 2.0
+            found = mechanisms_of(drawn, given.model, motions, stations, most_g)
         except ValueError as error:
             print(f"{k}: {error}", flush=True)
             continue

@@ -4,6 +4,7 @@ Feet every 5 cm, hinges every 10 cm, corners (`weakest_cases`). Pairs of foot an
 are searched every 20 cm first, and every 5 and 10 cm about those within a fifth of the least.
 
     .venv/bin/python workflow/studies/assess/trials/weakest.py --count 150 --seed 1
+    .venv/bin/python workflow/studies/assess/trials/weakest.py --first 45 --count 15 --seed 64
 
 Prints a façade a line, with the least ratio of a dense PGA to that of the list, by kind
 (overturning, each span, each corner), and at the end those below 0.98.
@@ -64,10 +65,12 @@ def dense(family, listed):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--count", type=int, default=150)
+    parser.add_argument("--first", type=int, default=0, help="which façade of the seed is first")
     parser.add_argument("--seed", type=int, default=1)
     given = parser.parse_args()
     weaker = tried = 0
-    for k, drawn in enumerate(several(given.count, given.seed)):
+    end = given.first + given.count
+    for k, drawn in enumerate(several(end, given.seed)[given.first :], given.first):
         resolved = config.resolve(drawn)
         own = resolved["assessment"]
         demand = CodeDemand(own["ag_g"], own["f0"], own["tc_star_s"], own["soil"])

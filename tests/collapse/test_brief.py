@@ -1,0 +1,82 @@
+"""Brief histories: the same outcomes, ended once what is left of the motion no longer tells."""
+
+import numpy as np
+import pytest
+from rocking import Case, Motion
+from rocking.collapse import scan
+from rocking.collapse.curve import run_by
+from rocking.collapse.scan import together
+from rocking.solver import runs
+from rocking.solver.motions import Motions
+
+DAMPING = {"law": "value", "beta_s": 2e-3}
+BUILDING = {"return_wall": {"building_mass_kg": 77000.0}}
+DT = 0.01
+
+
+def pulses(second, late_s=20.0, coda=0.02):
+    """Ground motion [m/s²]: a pulse at 1 s, another so many times as high, and a coda to 60 s."""
+    t = np.arange(0.0, 60.0, DT)
+
+    def pulse(begin):
+        own = (t >= begin) & (t < begin + 0.8)
+        return np.where(own, np.sin(2.0 * np.pi * (t - begin) / 0.8), 0.0)
+
+    a = pulse(1.0) + second * pulse(late_s) + coda * np.sin(2.0 * np.pi * 1.3 * t)
+    return Motion.sampled(a, DT, "m/s2", name="two")
+
+
+def outcomes(model, motion, brief, levels=(0.05, 0.1, 0.2, 0.3, 0.5)):
+    screen = run_by(
+        "planar",
+        Case.configured(model, {"damping": DAMPING, **BUILDING}),
+        motion,
+        "pos",
+        brief=brief,
+    )
+    (table,) = together([(screen, np.array(levels), False)])
+    (motions, *_), factors = screen.shaking(levels)
+    ends = runs.limits(screen.planes[0], motions, screen.numerics, factors, screen.steps_s[0])
+    return table, ends[:, 3] * screen.steps_s[0]
+
+
+@pytest.mark.parametrize("model", ["W1", "W2", "W2m"])
+@pytest.mark.parametrize("second", [0.0, 0.5, 1.4])
+def test_outcomes_are_those_of_whole_histories_also_of_a_later_pulse(model, second):
+    whole, last_s = outcomes(model, pulses(second), False)
+    brief, end_s = outcomes(model, pulses(second), True)
+    assert list(brief["status"]) == list(whole["status"])
+    stood = (whole["status"] == "ok").to_numpy()
+    assert stood.any()
+    assert brief["d_over_b"][stood].to_numpy() == pytest.approx(whole["d_over_b"][stood].to_numpy())
+    assert np.all(last_s > 60.0)
+    assert np.all(end_s < (30.0 if second else 12.0))
+    assert np.all(end_s > (20.8 if second else 1.8))
+
+
+def test_a_history_goes_on_while_what_carries_the_supports_still_moves():
+    """By the ground alone it would end 3 s after 1 s; its floor shakes on to 9 s."""
+    t = np.arange(0.0, 20.0, DT)
+    ground = np.where(t <= 1.0, np.sin(2.0 * np.pi * t), 0.0)
+    floor = np.where(t <= 9.0, 2.0 * np.sin(2.0 * np.pi * t), 0.0)
+    case = Case.configured("W1", {"damping": DAMPING})
+    plane = run_by("planar", case, pulses(0.0), "pos").planes[0]
+    numerics = {**case["numerics"], "brief": runs.Brief()}
+    given = numerics, np.array([3.0]), 1e-3
+    alone = runs.limits(plane, Motions(t, ground), *given)[0, 3]
+    carried = runs.limits(plane, Motions(t, ground, (), None, [floor]), *given)[0, 3]
+    assert 1e-3 * alone == pytest.approx(4.0, abs=0.1)
+    assert 1e-3 * carried == pytest.approx(12.0, abs=0.1)
+
+
+def test_what_is_far_from_rest_at_its_end_is_run_as_a_whole(monkeypatch):
+    """Cut half a second after a pulse that all but fells it, the façade is still out."""
+    monkeypatch.setattr(scan, "Brief", lambda: runs.Brief(after_s=0.5))
+    levels = np.geomspace(0.04, 0.4, 32)
+    whole, _ = outcomes("W1", pulses(0.0, coda=0.0), False, levels)
+    brief, _ = outcomes("W1", pulses(0.0, coda=0.0), True, levels)
+    assert {"ok", "overturned"} <= set(whole["status"])
+    assert list(brief["status"]) == list(whole["status"])
+    monkeypatch.setattr(scan, "Brief", lambda: runs.Brief(after_s=0.5, still=np.inf))
+    cut, _ = outcomes("W1", pulses(0.0, coda=0.0), True, levels)
+    assert list(cut["status"]) != list(whole["status"])  # what the rule is there for
