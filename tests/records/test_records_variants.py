@@ -160,3 +160,7 @@ def test_a_step_of_few_digits_is_no_rounding_of_another(tmp_path):
     with pytest.raises(RecordError, match="time step is 0.01 s, but dt_s 0.0055 is stated"):
         read_record(path, units="g", dt_s=0.0055)
     assert read_record(path, units="g", dt_s=0.0102).dt_s == pytest.approx(0.0102)
+    timed = [f"{0.0055 * k:.4f}  {value}" for k, value in enumerate(samples)]
+    path.write_text("\n".join(["Town hall, g", "dt = 0.01 s", *timed]) + "\n")
+    with pytest.raises(RecordError, match="is 0.0055 s, but the heading states 0.01 s"):
+        read_record(path, units="g")
