@@ -150,3 +150,17 @@ def test_a_caption_s_unit_counts_before_the_heading_s(tmp_path):
         assert np.abs(record.acceleration_m_s2).max() == pytest.approx(0.5 * factor)
         with pytest.raises(RecordError, match="a unit of velocity"):
             read_record(path, component="2")
+
+
+def test_a_step_of_few_digits_is_no_rounding_of_another(tmp_path):
+    """0.01 s as printed may stand for 0.0102, and not for 0.0055."""
+    path = tmp_path / "a.txt"
+    samples = [f"{0.5 * (-0.9) ** k:.6f}" for k in range(80)]
+    path.write_text("\n".join(["Town hall, g", "dt = 0.01 s", *samples]) + "\n")
+    with pytest.raises(RecordError, match="time step is 0.01 s, but dt_s 0.0055 is stated"):
+        read_record(path, units="g", dt_s=0.0055)
+    assert read_record(path, units="g", dt_s=0.0102).dt_s == pytest.approx(0.0102)
+    timed = [f"{0.0055 * k:.4f}  {value}" for k, value in enumerate(samples)]
+    path.write_text("\n".join(["Town hall, g", "dt = 0.01 s", *timed]) + "\n")
+    with pytest.raises(RecordError, match="is 0.0055 s, but the heading states 0.01 s"):
+        read_record(path, units="g")
