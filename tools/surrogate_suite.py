@@ -50,7 +50,7 @@ def suite(count=COUNT, seed=SEED):
 def main(job):
     """Write the table."""
     lines = [COLUMNS, *suite()]
-    with open(job.output[0], "w") as handle:
+    with open(job.output[0], "w", encoding="utf-8") as handle:
         handle.write(
             "# Peaks of surrogates; written by tools/surrogate_suite.py, which states the rule.\n"
         )

@@ -1,15 +1,20 @@
 """Floor motions of other programs: read as printed, refused where no building has them."""
 
 import warnings
+from pathlib import Path
 
 import numpy as np
 import pytest
 from rocking import Case, Motion
-from rocking.records import RecordError
+from rocking.records import RecordError, load, read_table
+from rocking.records.floor_check import check_floors
 from rocking.records.floors import floor_columns
 
+from smdof.chain import Chain
+from smdof.storeys import Storeys, strengths, yielding_motions
 from yade_scripts.model import floor_motions
 
+ROOT = Path(__file__).resolve().parents[2]
 CHAIN = {
     **{"n_dof": 4, "period_s": 0.27, "damping_ratio": 0.05, "damping_model": "modal"},
     "tail_s": 2.0,
@@ -73,6 +78,8 @@ def test_a_recorder_s_file_without_captions_from_one_step_on(tmp_path, made):
         (lambda c: changed(c, floor1=4.0 * c["floor1"]), "floor1 has 4.* slow motion"),
         (lambda c: changed(c, floor1=-c["floor1"]), "floor1 moves against the ground"),
         (lambda c: {n: c[m] for n, m in zip(NAMES, TOP_DOWN, strict=True)}, "top down"),
+        (lambda c: dict(zip(NAMES, [*c.values()][::-1], strict=True)), "from the roof down"),
+        (lambda c: dict(zip(NAMES, np.roll([*c.values()], -1, 0), strict=True)), "state record"),
         (lambda c: {n: a for n, a in c.items() if n != "floor2"}, "floors 1, 3, 4; expected"),
     ],
 )  # fmt: skip
@@ -81,6 +88,88 @@ def test_what_no_building_makes_of_its_ground_is_refused(tmp_path, made, change,
     with pytest.raises(RecordError, match=words) as caught:
         Motion.read_floors(write(tmp_path, time_s, change(columns)))
     assert "\n" not in str(caught.value)
+
+
+BUILDINGS = {
+    "stiff": {"n_dof": 2, "period_s": 0.12, "damping_ratio": 0.05, "damping_model": "modal"},
+    "four": {"n_dof": 4, "period_s": 0.27, "damping_ratio": 0.05, "damping_model": "modal"},
+    "tall": {"n_dof": 6, "period_s": 0.8, "damping_ratio": 0.05, "damping_model": "rayleigh"},
+}
+
+
+def said_of(time_s, columns):
+    """What is refused of columns, or else what is doubted, one line each."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        try:
+            check_floors("floors.csv", time_s, columns)
+        except RecordError as error:
+            return [f"refused: {error}"]
+    return [str(one.message) for one in caught]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", BUILDINGS)
+def test_recorded_motions_pass_in_order_and_not_from_the_roof_down(name):
+    """What stands on the ground takes energy from it; the roof would give it."""
+    table = ROOT / "config/suites/recorded_suite.tsv"
+    for row in list(read_table(table).values())[::4]:
+        record = load(row.record, table)
+        time_s, columns = floor_columns(record, BUILDINGS[name] | {"tail_s": 1.0})
+        columns.pop("vertical", None)
+        assert not any("refused" in line for line in said_of(time_s, columns)), row.record
+        (said,) = said_of(time_s, dict(zip(columns, [*columns.values()][::-1], strict=True)))
+        assert said.startswith("refused"), row.record
+        assert "roof down" in said or "state record" in said, (row.record, said)
+
+
+@pytest.mark.parametrize("law", ["bilinear", "origin_oriented"])
+def test_a_yielding_building_takes_energy_too(law):
+    """A drift that stays is none that an offset makes."""
+    motion = Motion.named("RRS228").record
+    chain = Chain((3e4, 3e4), (6e6, 5e6))
+    storeys = Storeys(law, tuple(strengths(0.1, [3e5, 3e5], [3.0, 6.0])))
+    found = yielding_motions(motion.acceleration_m_s2, motion.dt_s, chain, storeys, [0.4])
+    assert found.drift_m.max() > 3.0 * max(storeys.yield_n) / 5e6
+    first, second = found.floors_m_s2[0]
+    ground = 0.4 * found.ground_m_s2
+    columns = {"ground": ground, "floor1": first, "floor2": second}
+    assert not any("refused" in line for line in said_of(found.time_s, columns))
+    turned = {"ground": second, "floor1": first, "floor2": ground}
+    (said,) = said_of(found.time_s, turned)
+    assert said.startswith("refused")
+
+
+def test_samples_that_do_not_tell_the_ground_are_a_question(made, tmp_path):
+    """Three samples a period of the building; with the record stated nothing is open."""
+    motion, time_s, columns = made
+    stiff = {"n_dof": 1, "period_s": 0.05, "damping_ratio": 0.05, "damping_model": "modal"}
+    time_s, columns = floor_columns(motion.record, stiff | {"tail_s": 0.0})
+    stride = round(0.02 / (time_s[1] - time_s[0]))
+    few = {name: values[::stride] for name, values in columns.items()}
+    path = write(tmp_path, time_s[::stride], few)
+    with pytest.raises(RecordError, match="do not tell whether column ground is") as caught:
+        Motion.read_floors(path)
+    assert "state record" in str(caught.value)
+    assert "\n" not in str(caught.value)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        Motion.read_floors(path, record=motion)
+
+
+def test_two_floors_that_changed_places_are_named(made):
+    _, time_s, columns = made
+    swapped = changed(columns, floor3=columns["floor4"], floor4=columns["floor3"])
+    assert any("are they in order" in line for line in said_of(time_s, swapped))
+
+
+def test_an_offset_of_a_hundredth_is_refused_under_every_building(made):
+    motion, *_ = made
+    for chain in BUILDINGS.values():
+        time_s, columns = floor_columns(motion.record, chain | {"tail_s": 1.0})
+        top = list(columns)[-1]
+        (said,) = said_of(time_s, changed(columns, **{top: columns[top] + 0.01}))
+        assert said.startswith(f"refused: floors.csv: column {top} drifts")
 
 
 def test_another_ground_other_units_and_no_file_are_one_line(tmp_path, made):

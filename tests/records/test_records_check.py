@@ -249,3 +249,18 @@ def test_no_recorded_motion_is_said_to_be_cut_off_or_other_than_its_table():
     for row in list(read_table(SUITE).values())[:8]:
         record = pick(*open_file(row.path, row.format), **row.stated())
         assert module._as_read(record, row.targets["pga_g"]) == []
+
+
+def test_a_surrogate_s_facts_are_its_targets(tmp_path):
+    path = tmp_path / "records.tsv"
+    path.write_text("record\tpga_g\tpgv_cm_s\tpgd_cm\tduration_s\nA\t0.21\t23.6\t4.4\t16.2\n")
+    (found,) = check_records(read_table(path).values(), reach_g=0.42)
+    facts = (found.dt_s, found.duration_s, found.pga_g, found.pgv_cm_s)
+    assert facts == (None, 16.2, 0.21, 23.6)
+    assert found.factor == pytest.approx(2.0)
+
+
+def test_a_pipe_in_the_place_of_what_is_remembered_is_not_waited_for(study, tmp_path):
+    cache = tmp_path / "cache.json"
+    os.mkfifo(cache)
+    assert len(check_records(read_table(study).values(), cache=cache)) == 5

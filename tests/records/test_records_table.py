@@ -1,5 +1,6 @@
 """The records table: good rows, and every bad one by its line."""
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -155,3 +156,11 @@ def test_a_table_as_a_spreadsheet_saves_it_is_the_same_table(table, separator, n
     (found,) = read_table(path).values()
     assert found.about == {"event": "Somewhere, 1990", "station": "ABC"}
     assert (found.dt_s, found.targets["pga_g"], found.line) == (0.01, 0.3, 2)
+
+
+def test_what_is_there_and_no_file_is_told_from_what_is_not(tmp_path):
+    path = tmp_path / "records.csv"
+    path.write_text("record,file\na,pipe\n")
+    os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(RecordError, match="record a: no regular file 'pipe'"):
+        read_table(path)

@@ -124,3 +124,29 @@ def test_a_step_in_the_place_of_a_sample_is_refused(tmp_path):
     path.write_text("\n".join(["0.02", *(f"{v:.6f}" for v in samples.motion())]) + "\n")
     with pytest.raises(RecordError, match="line 1.*the first number is 0.02, the stated step"):
         read_record(path, dt_s=0.02, units="m/s2")
+
+
+def test_a_count_in_other_words_holds_where_at2_is_stated(tmp_path):
+    """Of a file of another format that lost a line, read as PEER's because the user says so."""
+    head = ["EVENT_NAME: A", "STATION_CODE: ABC", "SAMPLING_INTERVAL_S: 0.02", "NDATA: 64"]
+    path = tmp_path / "a.txt"
+    samples = [f"{18.0 * (-0.9) ** k:.6f}" for k in range(64)]
+    how = {"format": "at2", "units": "cm/s2", "dt_s": 0.02}
+    path.write_text("\n".join([*head, *samples]) + "\n")
+    assert len(read_record(path, **how)) == 64
+    path.write_text("\n".join([*head, *samples[:9], *samples[10:]]) + "\n")
+    with pytest.raises(RecordError, match="63 samples, but the heading declares 64"):
+        read_record(path, **how)
+
+
+def test_a_caption_s_unit_counts_before_the_heading_s(tmp_path):
+    """0.5 g beside a velocity, under a heading in cm/s²; a caption without a unit takes that."""
+    path = tmp_path / "a.csv"
+    rows = [f"{0.01 * k:.2f},{0.5 * (-0.9) ** k:.6f},{0.01 * (-0.9) ** k:.6f}" for k in range(60)]
+    for captions, factor in (("Acc [g],Vel [m/s]", 9.80665), ("Acc,Vel [m/s]", 0.01)):
+        text = ["Acceleration in cm/s2", f"Time [s],{captions}", *rows]
+        path.write_text("\n".join(text) + "\n")
+        record = read_record(path, component="1")
+        assert np.abs(record.acceleration_m_s2).max() == pytest.approx(0.5 * factor)
+        with pytest.raises(RecordError, match="a unit of velocity"):
+            read_record(path, component="2")

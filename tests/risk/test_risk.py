@@ -325,6 +325,8 @@ def test_openquake_model_carries_the_same_distribution_in_both_forms():
                 x = np.geomspace(float(imls.get("minIML")), float(imls.get("maxIML")), 20)
                 p = stats.lognorm(sigma, scale=m * np.exp(-0.5 * sigma**2)).cdf(x)
             np.testing.assert_allclose(p, fit.probability(x), atol=2e-6)
+            assert p[[0, -1]] == pytest.approx(nrml.TAILS, abs=2e-6)  # from few falls to nearly all
+            assert np.all(np.diff(x) > 0.0)
 
 
 def test_equal_rates_at_the_low_end_are_one_point(tmp_path):

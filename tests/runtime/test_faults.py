@@ -168,6 +168,23 @@ def test_a_journal_cut_anywhere_keeps_its_whole_lines_and_goes_on(tmp_path, cut)
     assert [json.loads(line)["reason"] for line in path.read_text().splitlines()] == ["at rest"] * 5
 
 
+def test_what_is_no_journal_in_its_place_is_one_line(tmp_path):
+    path = tmp_path / "cache" / "j.jsonl"
+    path.mkdir(parents=True)
+    with pytest.raises(ValueError, match=r"j\.jsonl: expected a journal's file, not a folder"):
+        Journal(path)
+    path.rmdir()
+    os.mkfifo(path)  # which nobody writes into: reading it would wait for ever
+    with pytest.raises(ValueError, match=r"j\.jsonl: expected a journal's file"):
+        Journal(path)
+    path.unlink()
+    path.parent.rmdir()
+    path.parent.write_text("a file")
+    with pytest.raises(ValueError, match=r"cache: expected a folder of journals") as caught:
+        Journal(path)
+    assert "\n" not in str(caught.value)
+
+
 def test_stale_parts_of_killed_jobs_neither_matter_nor_pile_up(tmp_path):
     target = tmp_path / "table.csv"
     for pid in (11, 12):
@@ -232,6 +249,18 @@ def test_a_disk_without_room_is_said_before_anything_is_planned(tmp_path, monkey
     assert (
         said == f"the disk of {tmp_path} is full (147 kB left): make room, then repeat the command"
     )
+
+
+def test_what_stands_where_a_result_belongs_is_said_before_any_job(tmp_path):
+    path = tmp_path / "tables/a.csv"
+    assert results_folder.misplaced([(path, False)]) == ""
+    path.parent.write_text("a file")
+    said = results_folder.misplaced([(path, False)])
+    assert said == f"{path.parent} is no folder: {path} is to lie in it; move it away"
+    path.parent.unlink()
+    path.mkdir(parents=True)
+    assert "a.csv is a folder: a result's file" in results_folder.misplaced([(path, False)])
+    assert results_folder.misplaced([(path, True)]) == ""
 
 
 def test_memory_is_bounded_by_starting_afresh():

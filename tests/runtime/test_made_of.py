@@ -54,6 +54,21 @@ def notes(params=("p",)):
     return made_of.MadeOf("results", "/base", lambda job: params, say=said.append), said
 
 
+def test_what_is_no_file_of_notes_is_neither_waited_for_nor_written_into(folder):
+    path = Path("results/r/made_of.jsonl")
+    Path("mine.txt").write_text("work of years\n")
+    for make in (lambda: os.mkfifo(path), lambda: path.symlink_to(folder / "mine.txt"), path.mkdir):
+        make()
+        made, said = notes()
+        made.note(ONE)
+        assert said == [f"warning: {path}: {made_of.NO_FILE}; what is finished now is made again"]
+        path.rmdir() if path.is_dir() else path.unlink()
+    assert Path("mine.txt").read_text() == "work of years\n"
+    made, said = notes()
+    made.note(ONE)
+    assert (said, path.is_file()) == ([], True)
+
+
 ONE = job(["a.txt"], ["results/r/b.csv"])
 
 

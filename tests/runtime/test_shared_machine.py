@@ -123,6 +123,31 @@ def test_a_lock_empties_nothing_that_a_link_leads_to(tmp_path):
     run_lock._held.pop().close()
 
 
+def test_a_folder_of_locks_that_is_a_link_or_a_file_is_refused(tmp_path):
+    """What it leads to gets no file; a link in the place of `.snakemake` is Snakemake's own."""
+    locks = tmp_path / run_lock.FOLDER
+    theirs = tmp_path / "theirs"
+    theirs.mkdir()
+    locks.parent.mkdir()
+    said = r"rocking: expected the folder of locks, not a link or a file"
+    for make in (lambda: locks.symlink_to(theirs), lambda: locks.write_text("a file")):
+        make()
+        with pytest.raises(ValueError, match=said) as caught:
+            run_lock.hold(["main"], folder=tmp_path)
+        assert "\n" not in str(caught.value)
+        locks.unlink()
+    assert not list(theirs.iterdir())
+    locks.parent.rmdir()
+    locks.parent.write_text("a file")
+    with pytest.raises(ValueError, match=r"\.snakemake: expected the folder of locks"):
+        run_lock.hold(["main"], folder=tmp_path)
+    locks.parent.unlink()
+    locks.parent.symlink_to(theirs)
+    run_lock.hold(["main"], folder=tmp_path)
+    run_lock._held.pop().close()
+    assert (theirs / "rocking/run-main.lock").is_file()
+
+
 def test_a_home_that_cannot_be_written_is_said_in_one_line(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("HOME", "/dev/null")

@@ -42,7 +42,7 @@ def fidelity_table(table, share, fewest_nodes):
 
 def read_fidelity(path):
     """Content of config/fidelity.yaml."""
-    with open(path) as handle:
+    with open(path, encoding="utf-8") as handle:
         return yaml.safe_load(handle)
 
 

@@ -59,7 +59,7 @@ def page(title, text, content, style):
     words = f"<p>{html.escape(text, quote=False)}</p>\n" if text else ""
     return (
         f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{html.escape(title)}'
-        f"</title><style>\n{Path(style).read_text()}</style></head>\n<body>\n"
+        f"</title><style>\n{Path(style).read_text(encoding='utf-8')}</style></head>\n<body>\n"
         f"<h1>{html.escape(title)}</h1>\n{words}{content}\n"
         "</body></html>\n"
     )

@@ -239,6 +239,13 @@ onstart:
     try:
         try:
             lock(workflow.dag)
+            written = (
+                (path, bool(path.is_directory))
+                for job in workflow.dag.needrun_jobs()
+                for path in (*job.output, *job.log)
+            )
+            if fault := results_folder.misplaced(written):
+                raise ValueError(fault)
             file_times.settle(f"{RESULTS}/.shared")
             BY = version.stated()
             earlier = [

@@ -15,6 +15,9 @@ from pathlib import Path
 from yade_scripts.files import named, write_atomic
 
 SUM_DIGITS = 16
+NO_FILE = (
+    "expected a journal's file, not a folder or another kind: remove it, then repeat the command"
+)
 
 
 def run_key(*parts):
@@ -50,9 +53,17 @@ class Journal:
     """Rows by key, appended durably."""
 
     def __init__(self, path):
-        """Read the lines of `path` that are whole; the others are dropped, from the file too."""
+        """Read the lines of `path` that are whole; the others are dropped, from the file too.
+
+        ValueError of one line where the path, or what should be its folder, is of another kind.
+        """
         self.path = Path(path)
         self.rows = {}
+        for above in self.path.parents:
+            if os.path.lexists(above) and not above.is_dir():
+                raise ValueError(f"{above}: expected a folder of journals: remove it, then repeat")
+        if os.path.lexists(self.path) and not self.path.is_file():
+            raise ValueError(f"{self.path}: {NO_FILE}")
         if self.path.exists():
             good, data = b"", self.path.read_bytes()
             for line in data.splitlines(keepends=True):

@@ -62,7 +62,7 @@ def read_curve(path):
 
     ValueError of one line that names the file when a column is missing.
     """
-    with open(path, newline="") as handle:
+    with open(path, encoding="utf-8", newline="") as handle:
         rows = list(csv.DictReader(handle))
     if not rows or not {"pga_g", "status", "d_over_b"} <= set(rows[0]):
         raise ValueError(f"{path}: expected an IDA table with columns pga_g, status, d_over_b")

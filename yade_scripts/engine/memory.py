@@ -15,7 +15,7 @@ _PAGE_MB = os.sysconf("SC_PAGE_SIZE") / 2**20
 def resident_mb():
     """Memory of this process [MB]; 0 where /proc does not say."""
     try:
-        with open("/proc/self/statm") as handle:
+        with open("/proc/self/statm", encoding="utf-8") as handle:
             return int(handle.read().split()[1]) * _PAGE_MB
     except (OSError, ValueError, IndexError):
         return 0.0

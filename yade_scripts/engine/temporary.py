@@ -16,8 +16,10 @@ LIBRARY = b"libyade"
 
 def _began_s(pid):
     """When a process began [s since the epoch]."""
-    ticks = int(Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[19])
-    booted = re.search(r"(?m)^btime (\d+)", Path("/proc/stat").read_text())
+    ticks = int(
+        Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[19]
+    )
+    booted = re.search(r"(?m)^btime (\d+)", Path("/proc/stat").read_text(encoding="utf-8"))
     return int(booted[1] if booted else 0) + ticks / os.sysconf("SC_CLK_TCK")
 
 

@@ -26,7 +26,7 @@ def read(path):
     The names are "ground", "floor1", …, and last "vertical", if it is there. ValueError of one line
     that names the file if a column is missing, a value is not finite or time does not rise.
     """
-    with open(path, newline="") as handle:
+    with open(path, encoding="utf-8", newline="") as handle:
         header = handle.readline().strip().split(",")
     if header[:2] != ["time_s", GROUND + UNIT]:
         raise ValueError(f"{path}: expected columns time_s, {GROUND}{UNIT}, …, got {header[:3]}")

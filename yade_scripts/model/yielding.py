@@ -167,7 +167,7 @@ class YieldingFloors(ByAmplitude):
 
     def _move(self, ground, names, factors, found):
         """Give the columns over one ground what its chain does where it yields."""
-        weak = np.flatnonzero(self._yields(ground, factors)).tolist()
+        weak = np.flatnonzero(self.weak(factors, ground)).tolist()
         for moved in found:
             moved.states[ground] = None
         if not weak:
@@ -178,8 +178,8 @@ class YieldingFloors(ByAmplitude):
             found[k].update(zip(names, floors, strict=True))
             found[k].states[ground], found[k].scaled = state, False
 
-    def _yields(self, ground, factors):
-        """Whether a storey yields at each factor, or has before."""
+    def weak(self, factors, ground=GROUND):
+        """Whether a storey yields at each factor, or has before, shape (n,)."""
         if self.start.get(ground) is not None:
             return np.ones(len(factors), bool)
         drift = np.abs(np.asarray(factors, float))[:, None] * self._elastic(ground)
@@ -198,7 +198,7 @@ class YieldingFloors(ByAmplitude):
         """Largest drift of any storey over its height at each factor, no façade before it."""
         factors = np.asarray(factors, float)
         found = np.abs(factors) * self._elastic(GROUND).max() / self.height_m
-        weak = np.flatnonzero(self._yields(GROUND, factors))
+        weak = np.flatnonzero(self.weak(factors))
         if weak.size:
             start = self.start.get(GROUND)
             _, states = self.march(self.chain, self[GROUND], factors[weak], start, floors=False)

@@ -2,9 +2,11 @@
 
 import numpy as np
 import pytest
+from rocking import Motion, history
 from yade_process import in_yade, resolved
 
 from smdof.chain import floor_motions
+from tests.cases import yielding_cases
 from yade_scripts.model import storeys
 from yade_scripts.model.models import build_scene
 
@@ -78,3 +80,17 @@ def test_loops_that_no_slider_has_are_refused(wrong):
     with pytest.raises(ValueError, match="smdof.loops.*expected bilinear and null"):
         build_scene(job)
     assert build_scene({**job, "model": "W2"}).floors == []
+
+
+@pytest.mark.yade
+@pytest.mark.slow
+@pytest.mark.parametrize(("model", "loops"), [("W2", "peak_oriented"), ("W2m", "bilinear")])
+def test_both_solvers_have_the_same_peak(model, loops):
+    """Of a history that repeats, before a building that yields from a third of its PGA on."""
+    case, motion = yielding_cases.case(model, 0.04, loops), Motion.named("RRS228")
+    own, other = (
+        history(case, motion, "neg", 0.08, solver=solver).d_over_b for solver in ("planar", "yade")
+    )
+    assert other == pytest.approx(own, rel=0.005)
+    elastic = case.varied({"smdof.base_shear_ratio": None})
+    assert abs(history(elastic, motion, "neg", 0.08).d_over_b / own - 1.0) > 2e-3

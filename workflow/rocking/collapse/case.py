@@ -197,10 +197,10 @@ class Case:
 
     def __repr__(self) -> str:
         """Return one line: model, façade, building, β."""
-        size = self["facade"]
+        size = self.facade
         return (
-            f"Case {self.model}: façade {size['height_m']:g} m high, {size['thickness_m']:g} m "
-            f"thick, {size['width_m']:g} m wide; building of {self['smdof']['period_s']:g} s; "
+            f"Case {self.model}: façade {size.height_m:g} m high, {size.thickness_m:g} m "
+            f"thick, {size.width_m:g} m wide; building of {self['smdof']['period_s']:g} s; "
             f"β {self['beta_s']:.3g} s"
         )
 

@@ -371,7 +371,7 @@ def history(
 
         _shaken(case, motion, direction)
         return yade_history(case, motion, direction, pga_g)
-    screen = run_by(solver, case, motion, direction)
+    (screen,) = run_by(solver, case, motion, direction).routes([pga_g])
     plane = screen.planes[0]
     (motions,), (factor,) = screen.shaking(pga_g)
     found = runs.history(

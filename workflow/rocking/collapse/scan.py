@@ -11,7 +11,7 @@ from rocking.collapse.search import Answer
 from rocking.solver.motions import Motions
 from rocking.solver.plane import moving_supports, to_plane
 from rocking.solver.runs import STEP_FRACTION, Brief, fitted, peaks, stable_step
-from rocking.solver.substructure import Bodies, bodies
+from rocking.solver.substructure import NO_BODIES, Bodies, bodies
 from smdof.chain import shear_chain
 from yade_scripts.commands.perturb import (
     NODE_CHOICES,
@@ -21,6 +21,7 @@ from yade_scripts.commands.perturb import (
     perturbed_numerics,
 )
 from yade_scripts.model import floor_motions, models, registry, yielding
+from yade_scripts.model.chain import yields
 from yade_scripts.model.floor_motions import GROUND, VERTICAL
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.storeys import storeys_of
@@ -34,9 +35,12 @@ BRICKS_STEP = 0.4  # of W3's stable step, which its bricks decide: 0.20 ms
 COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}  # beds need none
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
 COURSES_STEP = 0.072  # of the stable step of the same façade in one block
+# Before walls that shake it and do not give way, whose impacts add up (docs/record.md#accuracy)
+SHAKEN_STEP, GIVES_WAY = 0.06, 20.0  # what carries walls that do: so many times its mass at most
 # The light one of pieces makes their stable step short: of it they take so many times the share
 # of one block, up to the second (docs/record.md#accuracy has the errors)
 PIECES_STEPS, PIECES_MOST = 4.0 / 3.0, 0.4
+HEAVY_KG = 1e9  # of a building that drives its walls; what they do to it is left out
 OWN_MOTIONS = 32  # at once, where each amplitude has floor motions of its own: 0.4 GB
 KEPT = 16  # façades whose scenes are kept, for the motions that follow
 LATE_STEP = 0.5  # of `COURSES_STEP`, where the dashpots of thin courses act at the end of a step
@@ -64,6 +68,10 @@ class Scan:
     block: int = search.BLOCK
     #: whether amplitudes may have motions of their own, which take memory
     own_motions: bool = False
+
+    def routes(self, pga_g):
+        """Which scan runs each intensity: itself, or one that has what it does not."""
+        return [self] * len(pga_g)
 
     def shaking(self, pga_g):
         """`Motions` of each intensity, and the factor on them."""
@@ -105,9 +113,10 @@ def marched(asks):
         pga_g = np.asarray(levels, float)
         turn = np.arange(pga_g.size) * bool(scatter)
         extra, step = turn % len(scan.planes), np.array(scan.shorter)[turn % len(scan.shorter)]
-        for k, layout in enumerate(extra):
-            key = (id(scan.planes[layout]), step[k] * scan.steps_s[layout])
-            alike.setdefault(key, []).append((scan, layout, pga_g[k], count + k))
+        routes = scan.routes(pga_g)
+        for k, (route, layout) in enumerate(zip(routes, extra, strict=True)):
+            key = (id(route.planes[layout]), step[k] * route.steps_s[layout])
+            alike.setdefault(key, []).append((route, layout, pga_g[k], count + k))
         parts.append({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
         count += pga_g.size
     d_over_b, status = np.full(count, np.nan), np.full(count, "failed", object)
@@ -224,11 +233,13 @@ def _layouts_of(text, fraction, brief=False):
     if fraction:
         shorter = LAYOUTS_SHORTER
     steps_s = [share * stable_step(plane) for plane in planes]
+    carried = carried_masses(case, scene) if kind.two_way and not bricks else None
     if courses:
-        share = min(share, COURSES_STEP) * (LATE_STEP if planes[0].late > 1.0 else 1.0)
+        shaken = moving_supports(scene, GROUND if kind.two_way else None)
+        usual = SHAKEN_STEP if shaken and _stands_firm(carried, planes[0]) else COURSES_STEP
+        share = min(share, usual) * (LATE_STEP if planes[0].late > 1.0 else 1.0)
         share *= COURSES_LONG if brief and fraction else 1.0
         steps_s = [share * one_block_step(case)] * len(planes)
-    carried = carried_masses(case, scene) if kind.two_way and not bricks else None
     if carried is not None:  # light masses between stiff contacts want shorter ones
         ahead = [getattr(plane, "lead", 0.0) for plane in planes]
         most = [
@@ -240,6 +251,13 @@ def _layouts_of(text, fraction, brief=False):
     return scene, planes, steps_s, shorter, carried
 
 
+def _stands_firm(carried, plane):
+    """Whether walls do not give way to a façade: they are driven, or what carries them is heavy."""
+    if carried is None:
+        return True
+    return carried.mass_kg.sum() > GIVES_WAY * np.sum(plane.mass_kg)
+
+
 class Screen(Scan):
     """Outcomes of one model, record and direction of a case file.
 
@@ -248,12 +266,19 @@ class Screen(Scan):
     solver's own choice is too dear (of pieces between hinges up to `PIECES_STEPS` as much); then
     every layout of nodes has a step of its own. `brief` histories end once what is left of the
     motion no longer tells (`runs.Brief`), so that later swings are not known; with a fraction
-    courses have `COURSES_LONG` times their step.
+    courses have `COURSES_LONG` times their step. What a building that yields does later its elastic
+    floors do not tell: behind one, histories are whole.
+
+    Where a building yields and drives its walls, it marches with the façade: as one that carries
+    them and that nothing can push. Where it does not at an amplitude, its floors are scaled.
     """
+
+    carrying: "Screen | None" = None  # with the building that yields
 
     def __init__(self, case, time_s, columns, direction, fraction=None, before=None, brief=False):
         """Prepare the scene in every layout of nodes that realisations use."""
         self.numerics, self.direction, self.ground = case["numerics"], direction, columns["ground"]
+        brief = brief and not (registry.model(case["model"]).chain and yields(case["smdof"]))
         if brief:
             self.numerics = {**self.numerics, "brief": Brief()}
         kept = _layouts_of(json.dumps(case, sort_keys=True), fraction, brief)
@@ -266,6 +291,20 @@ class Screen(Scan):
         self.yields = isinstance(columns, yielding.ByAmplitude)
         self.own_motions = self.yields or before is not None
         self.static_g = models.static_multiplier(case)
+        kind = registry.model(case["model"])
+        if isinstance(columns, yielding.YieldingFloors) and kind.single_block:
+            wall = {**case["return_wall"], "building_mass_kg": HEAVY_KG}
+            heavy = {**case, "model": kind.two_way_model, "return_wall": wall}
+            self.carrying = Screen(heavy, time_s, dict(columns), direction, fraction, before)
+            free = self.carrying.carried or NO_BODIES
+            self.carrying.carried = free._replace(carried=np.zeros_like(free.carried))
+
+    def routes(self, pga_g):
+        """As of any scan; where the building yields `carrying`."""
+        if self.carrying is None:
+            return super().routes(pga_g)
+        weak = self.columns.weak(amplitude(self.ground, self.direction, np.asarray(pga_g, float)))
+        return [self.carrying if yields else self for yields in weak]
 
     def _motions(self, time_s, columns):
         if self.two_way:
@@ -276,7 +315,7 @@ class Screen(Scan):
     def shaking(self, pga_g):
         """As of any scan; a shock before keeps its own amplitude, floors that yield have theirs."""
         motions, factors = super().shaking(pga_g)
-        if self.before is None and not self.yields:
+        if self.before is None and (self.carrying is not None or not self.yields):
             return motions, factors
         if self.yields:
             second = self.columns.at_all(factors)

@@ -109,7 +109,7 @@ def yade_history(case, motion, direction, pga_g):
     if motion.before(case, direction) is not None:
         raise ValueError("history by YADE: expected a motion without a first shock")
     with tempfile.TemporaryDirectory(prefix="rocking-") as folder:
-        Path(folder, "case.json").write_text(case.to_json())
+        Path(folder, "case.json").write_text(case.to_json(), encoding="utf-8")
         time_s, columns = motion.columns(case)
         if isinstance(columns, TabulatedFloors):
             columns = columns.at(amplitude(columns[GROUND], "pos", pga_g))

@@ -4,6 +4,7 @@ from rocking.fidelity import CHOSEN, choose, read_fidelity
 from rocking.mechanics.beta import beta_and_range
 from rocking.runtime import terminal
 from yade_scripts.model.facade import joint_stiffness
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.models import static_multiplier
 
 
@@ -13,13 +14,13 @@ def chosen(resolved, fidelity_file, law_file):
     They rest on the files of measured convergence and of the fitted law of β.
     """
     base, back = joint_stiffness(resolved)
-    facade, wall = resolved["facade"], resolved["return_wall"]
+    facade, wall = Facade.of(resolved["facade"]), resolved["return_wall"]
     lines = ["Chosen where null stands above:"]
-    if facade["base_stiffness_pa_m"] is None:
-        law = "E over half the lowest course" if facade["courses"] else "E/h"
+    if facade.base_stiffness_pa_m is None:
+        law = "E over half the lowest course" if facade.courses else "E/h"
         lines.append(f"  facade.base_stiffness_pa_m: {base:.6g} ({law})")
     if wall["length_m"] is None:
-        lines.append(f"  return_wall.length_m: {0.5 * facade['height_m']:.6g} (h/2)")
+        lines.append(f"  return_wall.length_m: {0.5 * facade.height_m:.6g} (h/2)")
     beta, outside = beta_and_range(resolved, law_file)
     if outside:
         terminal.warn([f"{resolved['run']}: {outside}"])

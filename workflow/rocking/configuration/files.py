@@ -16,9 +16,11 @@ def write_resolved(resolved: Mapping, path: str | os.PathLike, chosen: Iterable[
     """Write a resolved configuration as YAML that can be given back with `--configfile`.
 
     What null stands for is said at the end in comments, the lines of `chosen`. The file is replaced
-    at once, and left alone where it already says the same.
+    at once, and left alone where it already says the same. ConfigError where a folder stands there.
     """
     target = Path(path)
+    if target.is_dir():
+        raise ConfigError(f"{target} is a folder: a run's settings are written there; move it away")
     text = "# Every key of this run, defaults included; written by the workflow.\n"
     text += yaml.safe_dump(dict(resolved), sort_keys=False, allow_unicode=True, width=100)
     text += "".join(f"# {line}\n" for line in chosen)

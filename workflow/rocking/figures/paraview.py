@@ -12,6 +12,7 @@ import meshio
 import numpy as np
 
 from rocking.figures.pictures import boxes, corners, turned
+from yade_scripts.model.facades import Facade
 
 
 def blocks(frames, frame, walls, config):
@@ -24,8 +25,8 @@ def blocks(frames, frame, walls, config):
     """
     moved, rates = (np.array(frames[key][frame], float) for key in ("moved", "velocity"))
     base = [i for i, b in enumerate(frames["blocks"]) if b["name"] == "base"]
-    facade = config["facade"]  # the base is a slab a little wider than it
-    slab = np.array([1.2 * facade["width_m"], 6.0 * facade["thickness_m"], 0.2])
+    facade = Facade.of(config["facade"])  # the base is a slab a little wider than it
+    slab = np.array([1.2 * facade.width_m, 6.0 * facade.thickness_m, 0.2])
     shown = [*boxes(frames, walls, config), *((np.array([0.0, 0.0, -0.1]), slab, i) for i in base)]
     places: list[np.ndarray] = []
     shifts, velocities, cells = [], [], []

@@ -15,6 +15,7 @@ from rocking.configuration import schema
 from rocking.configuration.schema import show
 from rocking.mechanics import beta
 from rocking.mechanics.closed_forms import block
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.gravity import GRAVITY_M_S2
 
 PERIOD_S = 0.27  # at which the logarithm of T1 is zero
@@ -107,21 +108,21 @@ def dimensions(case):
                     f"formula: {name}.{key} = {show(value)}: the formula is of façades with "
                     f"{show(known[key])}"
                 )
-    facade, wall, chain = case["facade"], case["return_wall"], case["smdof"]
-    h, b, w = (facade[f"{name}_m"] for name in ("height", "thickness", "width"))
-    if facade["building_height_m"] not in (None, h):
+    facade, wall, chain = Facade.of(case["facade"]), case["return_wall"], case["smdof"]
+    h, b, w = facade.height_m, facade.thickness_m, facade.width_m
+    if facade.building_height_m not in (None, h):
         raise OutsideError(
-            f"formula: facade.building_height_m = {show(facade['building_height_m'])}: the formula "
+            f"formula: facade.building_height_m = {show(facade.building_height_m)}: the formula "
             "is of façades as high as their building"
         )
-    if facade["base_stiffness_pa_m"] is not None:
+    if facade.base_stiffness_pa_m is not None:
         raise OutsideError("formula: facade.base_stiffness_pa_m: the formula is of bases by E")
-    if wall["friction_deg"] != facade["friction_deg"]:
+    if wall["friction_deg"] != facade.friction_deg:
         raise OutsideError(
             f"formula: return_wall.friction_deg = {show(wall['friction_deg'])}: the formula is of "
             "façades with the friction of their base"
         )
-    mass, own = wall["building_mass_kg"], facade["density_kg_m3"] * h * b * w
+    mass, own = wall["building_mass_kg"], facade.density_kg_m3 * h * b * w
     if case.kind.two_way and not mass:
         raise OutsideError(
             "formula: return_wall.building_mass_kg: expected the building's mass, stated, with "
@@ -130,9 +131,9 @@ def dimensions(case):
     return {
         "height_m": h,
         "slenderness": h / b,
-        "e_mpa": facade["e_mpa"],
-        "density_kg_m3": facade["density_kg_m3"],
-        "friction_deg": facade["friction_deg"],
+        "e_mpa": facade.e_mpa,
+        "density_kg_m3": facade.density_kg_m3,
+        "friction_deg": facade.friction_deg,
         "period_s": chain["period_s"],
         "mass_ratio": mass / own if mass else None,
         "contact_damping": case["beta_s"] * beta.groups(case.sections)["omega_c_rad_s"],

@@ -18,6 +18,7 @@ from scipy.special import ndtr
 from rocking.formula import groups
 from rocking.formula.groups import OutsideError
 from rocking.shipped import shipped
+from yade_scripts.model.facades import Facade
 
 if TYPE_CHECKING:
     from rocking.collapse.case import Case
@@ -178,25 +179,26 @@ def estimate(case: "Case", measure: str = "pga_g", law: str | Path | None = None
     if not hasattr(case, "model"):
         raise TypeError(f"estimate: expected a rocking.Case, got {type(case).__name__}")
     known = read(law or FILE)
-    base = base_of(case["facade"], known)
+    facade = Facade.of(case["facade"])
+    base = base_of(facade.base, facade.courses, facade.courses_growth, known)
     row = groups.dimensions(case)
     return Estimate(case.model, measure, *said(row, case.model, measure, base, known))
 
 
-def base_of(facade, law):
-    """Name of the base of a section facade, as a formula's file (`read`) has it.
+def base_of(base, courses, courses_growth, law):
+    """Name of a façade's base, as a formula's file (`read`) has it.
 
     An OutsideError of one line for a stack of courses that the atlas has not.
     """
-    if not facade["courses"]:
-        return facade["base"]
-    keys, known = ("courses", "courses_growth"), law["made_of"].get("others", [])
+    if not courses:
+        return base
+    known = law["made_of"].get("others", [])
     for row in known:
-        if all(row[key] == facade[key] for key in keys):
+        if (row["courses"], row["courses_growth"]) == (courses, courses_growth):
             return row["name"]
     has = [f"{row['courses']} of growth {row['courses_growth']:g}" for row in known]
     stacks = ", ".join(one for one in has if not one.startswith("0 ")) or "none"
     raise OutsideError(
-        f"formula: facade.courses = {facade['courses']} of growth {facade['courses_growth']:g}: "
+        f"formula: facade.courses = {courses} of growth {courses_growth:g}: "
         f"of stacks the atlas has {stacks}"
     )

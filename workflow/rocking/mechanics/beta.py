@@ -25,6 +25,7 @@ from rocking.mechanics import closed_forms
 from rocking.shipped import shipped
 from yade_scripts.model import base as bases
 from yade_scripts.model.facade import joint_stiffness
+from yade_scripts.model.facades import Facade
 
 LAW_FILE = shipped("config/beta_law.json")
 # the walls from which eq. 5 was regressed
@@ -52,10 +53,10 @@ def groups(config: Mapping) -> dict[str, float]:
                            settlement under the own weight
         omega_c_rad_s      √(jkn·r/(ρ·b)) [rad/s], which makes β dimensionless
     """
-    facade, wall = config["facade"], config["return_wall"]
-    h, b, density = facade["height_m"], facade["thickness_m"], facade["density_kg_m3"]
+    facade, wall = Facade.of(config["facade"]), config["return_wall"]
+    h, b, density = facade.height_m, facade.thickness_m, facade.density_kg_m3
     base, back = joint_stiffness(config)
-    ratio = wall["count"] * wall["thickness_m"] / facade["width_m"]
+    ratio = wall["count"] * wall["thickness_m"] / facade.width_m
     return {
         "slenderness": h / b,
         "return_wall_ratio": ratio,
@@ -238,17 +239,17 @@ def beta_and_range(config: Mapping, law_file=LAW_FILE) -> tuple[float, str]:
 
 def _beta(config: Mapping, law_file) -> tuple[float, list[str]]:
     """β, and a line for each value outside the range of its law."""
-    damping, facade = config["damping"], config["facade"]
+    damping, facade = config["damping"], Facade.of(config["facade"])
     if damping["law"] == "value":
         return float(damping["beta_s"]), []
-    if facade["sides"] == "two":
+    if facade.is_free:
         raise CalibrationError(
             f"config: damping.law = {damping['law']}: expected value with facade.sides = two, "
             "since both laws describe impacts against return walls"
         )
     if damping["law"] == "eq5":
-        b, e_mpa = facade["thickness_m"], facade["e_mpa"]
-        beta = closed_forms.beta_one_sided(b, facade["height_m"], e_mpa)
+        b, e_mpa = facade.thickness_m, facade.e_mpa
+        beta = closed_forms.beta_one_sided(b, facade.height_m, e_mpa)
         if not beta > 0.0:
             raise CalibrationError(
                 f"config: damping.law = eq5: β = {beta:.3g} s for thickness_m = {b:g}, "
@@ -264,6 +265,6 @@ def _beta(config: Mapping, law_file) -> tuple[float, list[str]]:
             if not low <= value <= high
         ]
         return beta, outside
-    law, values = read_law(law_file, facade.get("base", bases.STUDY)), groups(config)
+    law, values = read_law(law_file, facade.base), groups(config)
     problem = law.outside(values)
     return law.predict(values)[0], [f"damping.law = fitted: {problem}"] if problem else []

@@ -325,7 +325,8 @@ def _hash(value):
 
 def _remembered(cache):
     try:
-        found = json.loads(Path(cache).read_text(encoding="utf-8")) if cache else {}
+        there = cache and Path(cache).is_file()  # a pipe would be waited for
+        found = json.loads(Path(cache).read_text(encoding="utf-8")) if there else {}
         return {
             str(key): (str(status), str(said), *(v if v is None else float(v) for v in facts[:6]))
             for key, (status, said, *facts) in found.items()

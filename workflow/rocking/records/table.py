@@ -183,7 +183,8 @@ def _row(text, number, cells):
         if column in cells:
             path = os.path.join(os.path.dirname(text.path), cells[column])
             if not os.path.isfile(path):
-                raise text.error(number, f"record {name}: no file {cells[column]!r} ({path})")
+                said = "no regular file" if os.path.lexists(path) else "no file"
+                raise text.error(number, f"record {name}: {said} {cells[column]!r} ({path})")
             paths[column] = path
     own = paths.get("file")
     if own is None and (vertical or paths):

@@ -7,6 +7,7 @@ the digest of its content, and that of what it was made of (the rule, its settin
 the content of every input, code included). A file that differs from either is made again.
 """
 
+import errno
 import hashlib
 import json
 import os
@@ -30,6 +31,9 @@ def _sum(entry):
     return hashlib.sha256(json.dumps(entry, sort_keys=True).encode()).hexdigest()[:16]
 
 
+NO_FILE = "expected a file of notes, not a link or another kind: remove it"
+
+
 class Changed(ValueError):
     """An input is not what a job of this workflow made; the text is one line."""
 
@@ -44,8 +48,13 @@ class Notes:
 
     @classmethod
     def read(cls, path):
-        """Read what is whole; a line that was cut or changed counts as not there."""
+        """Read what is whole; a line that was cut or changed counts as not there.
+
+        So does what is no file of its own: a pipe would be waited for.
+        """
         notes = cls(Path(path))
+        if not _own_file(path):
+            return notes
         try:
             data = notes.path.read_bytes()
         except OSError:
@@ -62,7 +71,13 @@ class Notes:
         return notes
 
     def add(self, found):
-        """Note files, (digest, digest of what it was made of) by name; OSError without room."""
+        """Note files, (digest, digest of what it was made of) by name.
+
+        OSError without room, or where something else stands in the place: what a link leads to
+        would be written into.
+        """
+        if os.path.lexists(self.path) and not _own_file(self.path):
+            raise OSError(errno.EINVAL, NO_FILE)
         self.known.update(found)
         self.lines += len(found)
         if self.lines > 50 + MOST_STALE * len(self.known):
@@ -76,6 +91,11 @@ class Notes:
                 if handle.read(1) != b"\n":
                     handle.write(b"\n")
             handle.write(_text(found).encode())
+
+
+def _own_file(path):
+    """Whether a path is a file, and no link to one."""
+    return os.path.isfile(path) and not os.path.islink(path)
 
 
 def _text(found):

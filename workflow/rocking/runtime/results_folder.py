@@ -7,6 +7,24 @@ from pathlib import Path
 LEAST_B = 200_000  # Snakemake's own notes of a small run; less stops it in the middle of one
 
 
+def misplaced(outputs):
+    """Say in one line which output of a job cannot be written in its place; empty where all can.
+
+    `outputs` are pairs of a path and whether it is to be a folder.
+    """
+    seen: set = set()
+    for path, folder in outputs:
+        for above in Path(path).parents:
+            if above in seen:
+                break
+            seen.add(above)
+            if os.path.lexists(above) and not above.is_dir():
+                return f"{above} is no folder: {path} is to lie in it; move it away"
+        if not folder and Path(path).is_dir():
+            return f"{path} is a folder: a result's file is to lie there; move it away"
+    return ""
+
+
 def fault(folder="results"):
     """Say in one line why a folder cannot take results; empty where it can.
 

@@ -21,6 +21,7 @@ FOLDER = Path(".snakemake") / "rocking"
 LOOK_S = 1.0
 WITHOUT = (errno.ENOLCK, errno.ENOTSUP, errno.EOPNOTSUPP, errno.ENOSYS, errno.EINVAL)
 NO_FILE = "expected a lock's file, not a link or another kind: remove it, then repeat the command"
+NO_FOLDER = "expected the folder of locks, not a link or a file: remove it, then repeat the command"
 _held: list = []  # open files
 
 
@@ -32,9 +33,10 @@ def _take(path, how):
     """Lock a file; return it, None where the file system has no locks.
 
     BlockingIOError with the text that the one who has it wrote; ValueError of one line where the
-    path is no file of its own: what a link leads to would be emptied.
+    path is no file of its own, or lies in no folder of its own: what a link leads to would be
+    emptied.
     """
-    path.parent.mkdir(parents=True, exist_ok=True)
+    _make_own_folder(path.parent)
     handle = _own_file(path)
     try:
         fcntl.flock(handle, how | fcntl.LOCK_NB)
@@ -54,6 +56,22 @@ def _take(path, how):
         handle.write(f"process {os.getpid()} on {socket.gethostname()}\n")
         handle.flush()
     return handle
+
+
+def _make_own_folder(path):
+    """Make the folder of locks; one that is a link or a file is refused.
+
+    `.snakemake` above it may be a link, for Snakemake follows that too.
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except (FileExistsError, NotADirectoryError):
+        wrong = next(
+            one for one in (path.parent, path) if os.path.lexists(one) and not one.is_dir()
+        )
+        raise ValueError(f"{wrong}: {NO_FOLDER}") from None
+    if path.is_symlink():
+        raise ValueError(f"{path}: {NO_FOLDER}")
 
 
 def _own_file(path):

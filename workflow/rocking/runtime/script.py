@@ -109,5 +109,5 @@ def run(main, namespace):
         sys.exit(1)
     _date_alike(outputs)
     if log:
-        with contextlib.suppress(OSError), open(str(log), "a"):
+        with contextlib.suppress(OSError), open(str(log), "a", encoding="utf-8"):
             pass

@@ -17,7 +17,7 @@ def main(job):
     table = table[(table["im"] == w.im) & known]
     if table.empty:  # a fragilityModel without a function is none
         Path(job.output[0]).write_text(
-            "<!-- no motion felled the facade: no fragility function -->\n"
+            "<!-- no motion felled the facade: no fragility function -->\n", encoding="utf-8"
         )
         return
     fits = {row.model: Fragility(row.median, row.dispersion) for row in table.itertuples()}
@@ -25,7 +25,7 @@ def main(job):
     words = f"Out-of-plane collapse of a rocking masonry facade, run {w.run}; taxonomy: its model"
     imt = imt_of(w.im, job.params.period_s)
     text = document(name.replace(".", "_"), words, imt, fits, discrete=w.form == "discrete")
-    Path(job.output[0]).write_text(text)
+    Path(job.output[0]).write_text(text, encoding="utf-8")
 
 
 run(main, globals())

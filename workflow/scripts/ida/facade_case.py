@@ -18,7 +18,7 @@ def main(job):
         mass_kg = read_json(str(building))["mass_behind_facade_kg"]
     warnings.simplefilter("ignore", RangeWarning)  # the run says it at its start, once
     case = Case.chosen(sections, job.wildcards.model, mass_kg, job.input.law, job.input.fidelity)
-    Path(job.output[0]).write_text(case.to_json())
+    Path(job.output[0]).write_text(case.to_json(), encoding="utf-8")
 
 
 run(main, globals())

@@ -43,7 +43,7 @@ def main(job):
         " it stands for and is not that motion; its details are the solved parameters and the seed."
     )
     whole = page("Provenance of every record", text, table_of(HEADS, KINDS, rows), job.input.style)
-    Path(job.output[0]).write_text(whole)
+    Path(job.output[0]).write_text(whole, encoding="utf-8")
 
 
 run(main, globals())

@@ -56,10 +56,10 @@ def main(job):
         )
     body = content(p, records, runs, collapse, factors, job.input.figure)
     title = f"Run {job.wildcards.run}: at what shaking the façade falls"
-    Path(job.output.page).write_text(page(title, "", body, job.input.style))
+    Path(job.output.page).write_text(page(title, "", body, job.input.style), encoding="utf-8")
     inside = f"<h1>{html.escape(title)}</h1>\n{body}"
     lines = "\n".join(f"   {line}" for line in inside.splitlines())
-    Path(job.output.first).write_text(f".. raw:: html\n\n{lines}\n\n")
+    Path(job.output.first).write_text(f".. raw:: html\n\n{lines}\n\n", encoding="utf-8")
 
 
 run(main, globals())

@@ -19,7 +19,8 @@ def main(job):
     if any(is_study(name) for name in table.columns):
         text += " The study's own values are shaded."
     Path(job.output[0]).write_text(
-        page(title[:1].upper() + title[1:], text, result_table(table) + link, job.input.style)
+        page(title[:1].upper() + title[1:], text, result_table(table) + link, job.input.style),
+        encoding="utf-8",
     )
 
 

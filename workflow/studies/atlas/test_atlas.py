@@ -219,10 +219,10 @@ def test_a_stack_of_courses_is_known_by_its_number_and_growth(known):
     rows = [{"name": "courses", "courses": 4, "courses_growth": 1.5}]
     own = {**known, "made_of": {**known["made_of"], "others": rows}}
     stack = {"base": "study", "courses": 4, "courses_growth": 1.5}
-    assert law.base_of(stack, own) == "courses"
-    assert law.base_of({**stack, "courses": 0}, own) == "study"
+    assert law.base_of(**stack, law=own) == "courses"
+    assert law.base_of(**{**stack, "courses": 0}, law=own) == "study"
     with pytest.raises(groups.OutsideError, match="4 of growth 1.2: of stacks .* 4 of growth 1.5"):
-        law.base_of({**stack, "courses_growth": 1.2}, own)
+        law.base_of(**{**stack, "courses_growth": 1.2}, law=own)
 
 
 def test_the_elastic_wall_in_courses_is_estimated(known, case):

@@ -11,7 +11,7 @@ from functools import partial
 
 import numpy as np
 import pandas as pd
-from rocking.collapse.case import Variant
+from rocking.collapse.case import Case, Variant
 from rocking.collapse.curve import collapse_curve
 from rocking.collapse.probability import KEY
 from rocking.collapse.quick import ENDS, PGA, RATIO, over_first
@@ -70,18 +70,18 @@ def variants():
 
 def static(facades=None):
     """Static curves λ(d) of `FACADES` or others: rigid, the column, twenty courses, either base."""
-    parts = []
+    parts, usual = [], Case.configured("W1").facade
     for name, (h, b, density, e_mpa) in (facades or FACADES).items():
         gamma, ratio = column.compliance(h, b, density, 1e6 * e_mpa), b / h
         theta = np.arcsin(D_OVER_B * ratio)
-        facade = {"height_m": h, "thickness_m": b, "e_mpa": e_mpa, "base_stiffness_pa_m": None}
+        own = replace(usual, height_m=h, thickness_m=b, density_kg_m3=density, e_mpa=e_mpa)
         curves = {
             "lambda_rigid": capacity_rigid(theta, h, b),
             "lambda_wall": column.capacity(D_OVER_B, gamma, ratio),
             "lambda_courses": column.capacity(D_OVER_B, gamma, ratio, column.courses(FINE)),
         }
         for law in BASES:
-            jkn, edge = base.parts({**facade, "base": law})
+            jkn, edge = base.parts(replace(own, base=law))
             found = capacity_compliant_base(theta, h, b, density, jkn, edge_pa=edge)
             curves[f"lambda_base_{law}"] = found
         about = {"facade": name, "h_m": h, "b_m": b, "e_mpa": e_mpa, "gamma": gamma}

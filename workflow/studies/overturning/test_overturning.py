@@ -26,7 +26,6 @@ from studies.overturning import (
 )
 from studies.overturning.__main__ import main
 from studies.overturning.score import calibration, interval, measures, score
-from studies.validation import shaken_buildings
 
 ROOT = Path(__file__).resolve().parents[3]
 FOLDER = ROOT / "config" / "predictions" / "overturning"
@@ -265,25 +264,9 @@ def test_a_folder_that_was_filled_in_is_predicted_and_scored(waiting):
 
 
 def test_a_folder_that_waits_says_so(capsys):
-    for folder in ("rocking_blocks", "shaken_buildings"):
-        where = str(FOLDER.parent / folder)
-        call = shaken_buildings.main if folder == "shaken_buildings" else main
-        assert call([where] if call is not main else ["blocks", where, "--data", "."]) == 1
-        assert "nobody has filled it in yet" in capsys.readouterr().err
-
-
-def test_buildings_are_predicted_by_the_formula(tmp_path):
-    shutil.copytree(FOLDER.parent / "shaken_buildings", tmp_path / "mine")
-    path = tmp_path / "mine" / "facades.csv"
-    rows = "b,1,W2m,6.5,0.4,0.27,64000,0.1,0\nb,2,W2m,6.5,0.4,0.27,64000,2.0,5\n"
-    path.write_text(path.read_text() + rows)
-    found = shaken_buildings.predict(shaken_buildings.read(tmp_path / "mine"))
-    assert found["probability_of_fall"].iloc[0] < 0.05
-    assert found["probability_of_fall"].iloc[1] > 0.95
-    assert shaken_buildings.score(found)["correct"] == 1.0
-    path.write_text(path.read_text() + "b,3,W2m,6.5,0.4,0.27,64000,0.1,7\n")
-    with pytest.raises(ConfigError, match="row 3: grade = 7"):
-        shaken_buildings.read(tmp_path / "mine")
+    where = str(FOLDER.parent / "rocking_blocks")
+    assert main(["blocks", where, "--data", "."]) == 1
+    assert "nobody has filled it in yet" in capsys.readouterr().err
 
 
 def test_a_measure_that_parts_all_tests_foretells_left_out_motions():

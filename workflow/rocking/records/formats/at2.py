@@ -16,7 +16,7 @@ import re
 
 from ..text import gridded_block, parse_count, parse_number
 from .channel import Channel
-from .header import NUMBER, is_numbers, stated_step, stated_unit
+from .header import NUMBER, is_numbers, stated_counts, stated_step, stated_unit
 
 HEADING = 20  # lines within which NPTS is looked for
 _COUNT = re.compile(r"\bNPTS\b\s*[=:]?\s*(\d+)\b(?!\.)", re.I)
@@ -83,6 +83,10 @@ def read(text):
         line = next((i for i, words in enumerate(heading, 1) if "UNIT" in words.upper()), 1)
         raise text.error(line, f"{said.against}; expected ACCELERATION … IN UNITS OF G")
     values = gridded_block(text, number + 1, 15, 15, 5, count)
+    counts = stated_counts(heading) if count is None else []
+    if counts and len(values) not in counts:
+        declared = " and ".join(map(str, counts))
+        raise text.error(number + 1, f"{len(values)} samples, but the heading declares {declared}")
     # The title ends in the component: "RINALDI RECEIVING STA, 228", "… , 360 (CDMG STATION 5)".
     title = heading[1] if len(heading) > 2 else ""
     label = title.rsplit(",", 1)[-1].partition("(")[0].strip()[:40]

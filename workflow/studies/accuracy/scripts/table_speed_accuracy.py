@@ -33,7 +33,7 @@ def main(job):
     fidelity = fidelity_table(choosing, settings["fidelity_share"], settings["fewest_nodes"])
     for name, content in (("table", table[list(TABLE_COLUMNS)]), ("summary", summary(table))):
         write_table(content, job.output[name])
-    with open(job.output.fidelity, "w") as handle:
+    with open(job.output.fidelity, "w", encoding="utf-8") as handle:
         handle.write(HEADER.format(share=100 * settings["fidelity_share"]))
         yaml.safe_dump(fidelity, handle, sort_keys=True, default_flow_style=None)
 

@@ -19,13 +19,17 @@ def main(job):
     def say(text):
         line = f"[{time.strftime('%H:%M:%S')}] {w.model} {w.record} {w.direction}: {text}"
         if log:
-            with open(str(log), "a") as handle:
+            with open(str(log), "a", encoding="utf-8") as handle:
                 handle.write(line + "\n")
 
     most, fewest = strengthening.most_histories(settings, case["facade"]["height_m"])
     scans = settings["curve_levels"] + 1
     say(f"{fewest} to {most} histories, fewer where ties fail; then {scans} scans for the chart")
-    code = Path(str(job.input.modules)).read_text() if getattr(job.input, "modules", None) else ""
+    code = (
+        Path(str(job.input.modules)).read_text(encoding="utf-8")
+        if getattr(job.input, "modules", None)
+        else ""
+    )
     key = strengthening.key_of(*given, code)
     kept = strengthening.Kept(job.params.kept, key)
     if kept.known:

@@ -195,6 +195,24 @@ def test_what_is_left_is_said_once_a_height_is_through(monkeypatch):
         assert 0.5 < 60.0 * float(said[k].split()[1]) / (clock[0] - at[k]) < 2.0
 
 
+def test_the_forecast_is_by_a_history_of_the_tie_after_the_one_that_compiles(monkeypatch):
+    """The first 13 histories take 100 s, as they compile; all others 0.06 s each."""
+    clock, said = [0.0], []
+
+    def realisations(case, motion, direction, settings):
+        clock[0] += 0.06 * 13 if clock[0] else 100.0
+        return 13, 13
+
+    monkeypatch.setattr(strengthening, "realisations", realisations)
+    monkeypatch.setattr(strengthening.time, "process_time", lambda: clock[0])
+    settings = {**resolved()["strengthening"], **SEARCH}
+    strengthening.search(Case.configured("W1"), None, "pos", settings, say=said.append)
+    height_m = Case.configured("W1")["facade"]["height_m"]
+    assert [text for text in said if "s a history" in text] == [
+        strengthening.forecast(settings, height_m, 0.06)
+    ]
+
+
 def test_realisations_end_where_they_have_decided(monkeypatch):
     """Of 61 at 0.1: all fall, 13 do; none falls, 37 do (35 are enough); some fall, all 61."""
 

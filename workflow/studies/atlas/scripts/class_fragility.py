@@ -12,7 +12,7 @@ from studies.atlas import classes
 
 def main(job):
     settings, known = job.params.settings, read(job.input.law)
-    facades, base = classes.sampled(settings), base_of(job.params.facade, known)
+    facades, base = classes.sampled(settings), base_of(**job.params.facade, law=known)
     rows = [
         classes.fragility(facades, model, measure, base, known)
         for model in job.params.models
@@ -27,7 +27,7 @@ def main(job):
         fits = classes.curves([row for row in rows if row["measure"] == measure])
         name = f"facade_class_{job.wildcards.run}_{measure}"[:100].replace(".", "_")
         text = document(name, words, imt_of(measure, 0.0), fits)
-        Path(job.output[measure]).write_text(text)
+        Path(job.output[measure]).write_text(text, encoding="utf-8")
 
 
 run(main, globals())

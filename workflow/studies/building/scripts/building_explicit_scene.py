@@ -21,7 +21,7 @@ def main(job):
         rate_1_s=mass_damping_rate(modes.omega[translation_mode(modes)], settings["damping_ratio"]),
         duration_s=settings["explicit_duration_s"],
     )
-    with open(job.output[0], "w") as handle:
+    with open(job.output[0], "w", encoding="utf-8") as handle:
         handle.write(to_json(building.scene))
 
 

@@ -34,7 +34,7 @@ def main(job):
         columns=["t1_s", "mode", "effective_mass_ratio", "n_dof", "wme_gain"],
     )
     write_table(chain, job.output.chain)
-    with open(job.output.config, "w") as handle:
+    with open(job.output.config, "w", encoding="utf-8") as handle:
         handle.write(
             "# Chain equivalent to this building; give it to the façade stage with --configfile.\n"
             f"smdof:\n  n_dof: {chosen}\n  period_s: {period:.6g}\n"

@@ -147,3 +147,16 @@ def test_periods_agree_with_what_the_text_says_of_them():
     assert apart == pytest.approx([0.02, 0.01])
     assert periods["SBDEM", "y"] == 0.27  # "the value of 0.27 s that was obtained from the SBDEM"
     assert periods["CBDEM", "rz"] == 0.16
+
+
+def test_what_ground_and_top_share_is_no_motion_relative_to_the_ground():
+    """An oscillator of the chain's own period: no error, and none with a common motion on both."""
+    record = Record("noise", noise(), 0.01, "file")
+    chain = smdof.floor_motions(record.acceleration_m_s2, 0.01, 1, PERIOD_S, 0.05, "modal")
+    common = 3.0 * np.sin(5.0 * chain.time_s)
+    way = Reading(relative=True)
+    for shared in (0.0, common):
+        tops = (chain.floors_m_s2[-1] + shared)[None, :]
+        history = PointHistory(chain.time_s, chain.ground_m_s2 + shared, tops, 0.0 * tops)
+        found = errors(history, 0, record, PERIOD_S, 0.05, way)[1]
+        assert max(found.values()) < 1e-9

@@ -12,7 +12,9 @@ def main(job):
     chosen, rows = laws.compare(read_frame(job.input.walls))
     write_table(rows, job.output.table, laws.COLUMNS)
     known = beta.read_laws(job.input.others)
-    Path(job.output.law).write_text(beta.to_json({**known, job.params.base: chosen}))
+    Path(job.output.law).write_text(
+        beta.to_json({**known, job.params.base: chosen}), encoding="utf-8"
+    )
 
 
 run(main, globals())
