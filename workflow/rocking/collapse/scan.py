@@ -295,7 +295,8 @@ class Screen(Scan):
         if isinstance(columns, yielding.YieldingFloors) and kind.single_block:
             wall = {**case["return_wall"], "building_mass_kg": HEAVY_KG}
             heavy = {**case, "model": kind.two_way_model, "return_wall": wall}
-            self.carrying = Screen(heavy, time_s, dict(columns), direction, fraction, before)
+            how = fraction, before, brief
+            self.carrying = Screen(heavy, time_s, dict(columns), direction, *how)
             free = self.carrying.carried or NO_BODIES
             self.carrying.carried = free._replace(carried=np.zeros_like(free.carried))
 
