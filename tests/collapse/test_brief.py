@@ -26,10 +26,10 @@ def pulses(second, late_s=20.0, coda=0.02):
     return Motion.sampled(a, DT, "m/s2", name="two")
 
 
-def outcomes(model, motion, brief, levels=(0.05, 0.1, 0.2, 0.3, 0.5)):
+def outcomes(model, motion, brief, levels=(0.05, 0.1, 0.2, 0.3, 0.5), **building):
     screen = run_by(
         "planar",
-        Case.configured(model, {"damping": DAMPING, **BUILDING}),
+        Case.configured(model, {"damping": DAMPING, **BUILDING, "smdof": building}),
         motion,
         "pos",
         brief=brief,
@@ -52,6 +52,17 @@ def test_outcomes_are_those_of_whole_histories_also_of_a_later_pulse(model, seco
     assert np.all(last_s > 60.0)
     assert np.all(end_s < (30.0 if second else 12.0))
     assert np.all(end_s > (20.8 if second else 1.8))
+
+
+@pytest.mark.parametrize("model", ["W2", "W2m"])
+def test_behind_a_building_that_yields_a_history_is_whole(model):
+    """Elastic floors do not tell what it does later; W1 has no building and stays brief."""
+    strength = {"base_shear_ratio": 0.1}
+    whole, last_s = outcomes(model, pulses(0.5), False, **strength)
+    brief, end_s = outcomes(model, pulses(0.5), True, **strength)
+    assert np.array_equal(end_s, last_s)
+    assert brief.equals(whole)
+    assert np.all(outcomes("W1", pulses(0.0), True, **strength)[1] < 12.0)
 
 
 def test_a_history_goes_on_while_what_carries_the_supports_still_moves():

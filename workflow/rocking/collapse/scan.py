@@ -21,6 +21,7 @@ from yade_scripts.commands.perturb import (
     perturbed_numerics,
 )
 from yade_scripts.model import floor_motions, models, registry, yielding
+from yade_scripts.model.chain import yields
 from yade_scripts.model.floor_motions import GROUND, VERTICAL
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.storeys import storeys_of
@@ -34,7 +35,7 @@ BRICKS_STEP = 0.4  # of W3's stable step, which its bricks decide: 0.20 ms
 COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}  # beds need none
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
 COURSES_STEP = 0.072  # of the stable step of the same façade in one block
-# Before walls that shake it and do not give way, whose impacts add up (docs/log/accuracy.md)
+# Before walls that shake it and do not give way, whose impacts add up (docs/record.md#accuracy)
 SHAKEN_STEP, GIVES_WAY = 0.06, 20.0  # what carries walls that do: so many times its mass at most
 # The light one of pieces makes their stable step short: of it they take so many times the share
 # of one block, up to the second (docs/record.md#accuracy has the errors)
@@ -265,7 +266,8 @@ class Screen(Scan):
     solver's own choice is too dear (of pieces between hinges up to `PIECES_STEPS` as much); then
     every layout of nodes has a step of its own. `brief` histories end once what is left of the
     motion no longer tells (`runs.Brief`), so that later swings are not known; with a fraction
-    courses have `COURSES_LONG` times their step.
+    courses have `COURSES_LONG` times their step. What a building that yields does later its elastic
+    floors do not tell: behind one, histories are whole.
 
     Where a building yields and drives its walls, it marches with the façade: as one that carries
     them and that nothing can push. Where it does not at an amplitude, its floors are scaled.
@@ -276,6 +278,7 @@ class Screen(Scan):
     def __init__(self, case, time_s, columns, direction, fraction=None, before=None, brief=False):
         """Prepare the scene in every layout of nodes that realisations use."""
         self.numerics, self.direction, self.ground = case["numerics"], direction, columns["ground"]
+        brief = brief and not (registry.model(case["model"]).chain and yields(case["smdof"]))
         if brief:
             self.numerics = {**self.numerics, "brief": Brief()}
         kept = _layouts_of(json.dumps(case, sort_keys=True), fraction, brief)
