@@ -7,7 +7,7 @@ from yade_process import in_yade, resolved
 
 from smdof.chain import floor_motions
 from tests.cases import yielding_cases
-from yade_scripts.model import storeys
+from yade_scripts.model import storeys, yielding
 from yade_scripts.model.models import build_scene
 
 MASS_KG = 66e3
@@ -94,3 +94,16 @@ def test_both_solvers_have_the_same_peak(model, loops):
     assert other == pytest.approx(own, rel=0.005)
     elastic = case.varied({"smdof.base_shear_ratio": None})
     assert abs(history(elastic, motion, "neg", 0.08).d_over_b / own - 1.0) > 2e-3
+
+
+def test_a_vertical_motion_has_no_direction():
+    """The other way round the floors turn, and the vertical motion does not."""
+    given = {**config(), "model": "W2"}
+    time_s, ground = np.arange(0.0, 2.0, 0.001), np.interp(np.arange(0.0, 2.0, 0.001), T, pulses())
+    columns = {"ground": ground, **{f"floor{j}": ground for j in range(1, 5)}, "vertical": ground}
+    floors = yielding.of_case(given, time_s, columns)
+    one, other = floors.at_all([1.5, -1.5])
+    assert not one.scaled
+    for name in columns:
+        sign = 1.0 if name == "vertical" else -1.0
+        assert other[name] == pytest.approx(sign * one[name], abs=1e-12)

@@ -19,6 +19,9 @@ def draw(summary):
     figure, axes = panels(count, count, (2.7, 2.7), around=(0.9, 0.9))
     for axis, model in zip(axes.flat, models, strict=False):
         _loss(axis, own[own["model"] == model], MODELS[model])
+    lows, highs = zip(*(axis.get_ylim() for axis in axes.flat[: len(models)]), strict=True)
+    for axis in axes.flat[: len(models)]:
+        axis.set_ylim(min(lows), max(highs))
     last = axes.flat[len(models)]
     if mapped:
         _map(figure, last, summary[summary["model"] == models[-1]])
