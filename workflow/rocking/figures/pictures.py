@@ -1,5 +1,7 @@
 """Oblique drawings of the models from YADE's poses, coloured by displacement."""
 
+from typing import NamedTuple
+
 import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.patches import Polygon
@@ -158,14 +160,23 @@ def side_view(axis, scene, config, theta=0.0):
         axis.add_patch(Polygon(shape, fc=FILLS[kind], ec="k", lw=0.4, zorder=over))
 
 
-def draw(axis, frames, frame, walls, config, *, magnification=1.0, largest_m, limits, cmap):
-    """Draw one frame; returns the collection, for a colour bar."""
-    polygons, values = faces(frames, frame, walls, config, magnification)
+class Look(NamedTuple):
+    """How frames are drawn: displacement at the colours' end [m], limits in x and y, colours."""
+
+    largest_m: float
+    limits: tuple
+    cmap: str = "viridis"
+    magnification: float = 1.0
+
+
+def draw(axis, frames, frame, walls, config, look):
+    """Draw one frame by a `Look`; returns the collection, for a colour bar."""
+    polygons, values = faces(frames, frame, walls, config, look.magnification)
     collection = PolyCollection(
-        polygons, array=values, cmap=cmap, edgecolors="0.75", linewidths=0.25
+        polygons, array=values, cmap=look.cmap, edgecolors="0.75", linewidths=0.25
     )
-    collection.set_clim(0.0, largest_m)
+    collection.set_clim(0.0, look.largest_m)
     axis.add_collection(collection)
-    axis.set(xlim=limits[0], ylim=limits[1], aspect="equal")
+    axis.set(xlim=look.limits[0], ylim=look.limits[1], aspect="equal")
     axis.set_axis_off()
     return collection

@@ -47,8 +47,7 @@ def complete_building(config, plan, load_kg_m2, model, beta_s, coarsening=None, 
         beta_s,
         bonded=COMPLETE[model].bonded,
         back_joint=own["back_joint"] if back_joint is None else back_joint,
-        brick=real_brick(settings),
-        joints=real_joints(settings),
+        masonry=(real_brick(settings), real_joints(settings)),
         rate_1_s=rate,
     )
     scene.notes.update(critical_step_s=critical_step(scene), rate_1_s=rate)

@@ -21,8 +21,10 @@ import os
 import subprocess
 import sys
 import tempfile
+from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -127,8 +129,8 @@ def _planar_rows(variant, case, runs, motions, drawn):
         band_mm = np.percentile(values[several], PERCENTILES, method="nearest")
         band = {f"p{p}_mm": v for p, v in zip(PERCENTILES, band_mm, strict=True)}
         members, fell = values[several].size, int(out.overturned[several].sum())
-        about = variant, runs.iloc[place], ALONE, motion[2], "planar"
-        rows.append(_row(*about, values[0], members, fell, band))
+        about = _About(variant, runs.iloc[place], ALONE, motion[2])
+        rows.append(_row(about, values[0], members, fell, band))
     whole, ground, spans = one_after_another([motion[:2] for motion in motions])
     still = {**numerics, "quiet_ratio": 0.0}
     parts: list = []
@@ -138,15 +140,26 @@ def _planar_rows(variant, case, runs, motions, drawn):
         parts.append(1e3 * np.array(peaks_of_spans(d.time_s, d.d_m, spans, d.status)))
     fallen = np.sum(~np.isfinite(parts), axis=0)
     for place, (motion, peak, lost) in enumerate(zip(motions, parts[0], fallen, strict=True)):
-        about = variant, runs.iloc[place], SEQUENCE, motion[2], "planar"
-        rows.append(_row(*about, peak, len(sequences), int(lost)))
+        about = _About(variant, runs.iloc[place], SEQUENCE, motion[2])
+        rows.append(_row(about, peak, len(sequences), int(lost)))
     return rows
 
 
-def _row(variant, row, how, source, solver, peak_mm, members, fell, band=()):
+class _About(NamedTuple):
+    """What a row of the table is of: reading, run (a row of runs.csv), order, motion, solver."""
+
+    variant: str
+    row: Mapping
+    how: str
+    source: str
+    solver: str = "planar"
+
+
+def _row(about, peak_mm, members, fell, band=()):
     """Row of the table: of so many members of a run so many fell; the band in columns p10_mm, …"""
-    line = {"variant": variant, "run": row["run"], "record": row["record"], "how": how}
-    line |= {"source": source, "solver": solver, "peak_mm": peak_mm, **dict(band)}
+    line = {"variant": about.variant, "run": about.row["run"], "record": about.row["record"]}
+    line |= {"how": about.how, "source": about.source, "solver": about.solver}
+    line |= {"peak_mm": peak_mm, **dict(band)}
     return line | {"members": members, "fell": fell, "probability": fell / members}
 
 
@@ -170,7 +183,8 @@ def _yade_row(test, done, runs, motions):
     fell = int(done["status"] == "overturned")
     mm = 1e3 * test["config"]["facade"]["thickness_m"]
     peak_mm = np.inf if fell else mm * done["peak_d_over_b"]
-    return _row(variant, runs.iloc[place], ALONE, motions[place][2], "YADE", peak_mm, 1, fell)
+    about = _About(variant, runs.iloc[place], ALONE, motions[place][2], "YADE")
+    return _row(about, peak_mm, 1, fell)
 
 
 def foot_and_top(specimen, runs, folder, in_yade, cores):

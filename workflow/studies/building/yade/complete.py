@@ -13,7 +13,8 @@ their dead load adds a static answer and no more. The plan need not be symmetric
 is not, so the whole building is modelled and the façade moves in space.
 """
 
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -66,18 +67,16 @@ def _refuse_across(wall):
             raise PlanError(f"wall '{wall.name}', opening '{opening.name}' lies across the crack")
 
 
-def complete_scene(
-    config, building, crack_m, beta_s, *, bonded, back_joint, brick, joints, rate_1_s
-):
+def complete_scene(config, building, crack_m, beta_s, *, bonded, back_joint, masonry, rate_1_s):
     """Scene of the complete building; its notes tell the mass behind the crack [kg].
 
     The `building` is what `behind` left, built, and has a mass-proportional damping of `rate_1_s`;
-    `joints` are stated for the real `brick`. β is that of the façade's base and back face;
-    `bonded`, the back joint starts with the strengths of section return_wall. `back_joint` says its
-    jkn: "bricks", the half brick behind it, 2E/s, so that what yields is the bricks alone; or
-    "facade", E/L of the other models on top of the bricks. The dashpots are β·E/L in both, for that
-    is the stiffness whose β is calibrated. ValueError if no brick ends at the crack behind the
-    façade.
+    `masonry` is the real brick, and the joints that are stated for it. β is that of the façade's
+    base and back face; `bonded`, the back joint starts with the strengths of section return_wall.
+    `back_joint` says its jkn: "bricks", the half brick behind it, 2E/s, so that what yields is the
+    bricks alone; or "facade", E/L of the other models on top of the bricks. The dashpots are β·E/L
+    in both, for that is the stiffness whose β is calibrated. ValueError if no brick ends at the
+    crack behind the façade.
     """
     if back_joint not in BACK_JOINTS:
         raise ValueError(
@@ -102,13 +101,19 @@ def complete_scene(
     blocks.append(plain_block(own, DOFS, middle, back))
     nodes = NodeList(scene=base)
     Beds(config, beta_s, nodes, planar=False).base(facade, ground, origin=(middle, back))
-    moduli = None
-    if back_joint == "bricks":
-        moduli = joints.moduli(brick)[0]  # of the head joints, normal and shear
-    face = (middle - 0.5 * width, middle + 0.5 * width, crack_m)
+    brick, joints = masonry
+    back_joints = _BackJoints(
+        nodes,
+        config,
+        facade,
+        (middle - 0.5 * width, middle + 0.5 * width, crack_m),
+        beta_s,
+        bonded,
+        joints.moduli(brick)[0] if back_joint == "bricks" else None,  # of the head joints
+    )
     before = len(nodes.joints)
     for i in ends:
-        _touch(nodes, config, bricks, int(i), facade, face, beta_s, bonded, moduli)
+        back_joints.touch(bricks, int(i))
     if len(nodes.joints) == before:
         raise ValueError("the complete building: no brick ends at the crack behind the façade")
     return Scene(
@@ -124,41 +129,53 @@ def complete_scene(
     )
 
 
-def _touch(nodes, config, bricks, brick, facade, face, beta_s, bonded, moduli):
-    """Add the joint of one brick that ends at the crack, if it ends behind the façade.
+@dataclass(frozen=True)
+class _BackJoints:
+    """The joints of a façade, a block by its index, with the bricks that end behind it.
 
     `face` is x of the façade's edges and y of the crack [m]; `moduli` those of the half brick
-    behind the joint, normal and shear [Pa], None: jkn of the other models.
+    behind a joint, normal and shear [Pa], None: jkn of the other models.
     """
-    own = Facade.of(config["facade"])
-    (x0, y0, z0), (x1, _, z1) = bricks.low_m[brick], bricks.high_m[brick]
-    left_m, right_m, crack_m = face
-    z1 = min(z1, own.height_m)
-    x0, x1 = max(x0, left_m), min(x1, right_m)
-    if z1 - z0 <= TOLERANCE_M or x1 - x0 <= TOLERANCE_M:
-        return
-    points, weights = np.polynomial.legendre.leggauss(config["complete"]["nodes_per_course"])
-    points, weights = 0.5 + 0.5 * points, 0.5 * weights
-    line = np.stack(
-        [0 * points + 0.5 * (x0 + x1), 0 * points + crack_m, z0 + points * (z1 - z0)], axis=1
-    )
-    jkn_back = back_jkn(config)
-    jkn, jks = jkn_back, own.shear_stiffness_ratio * jkn_back
-    if moduli is not None:
-        jkn, jks = (2.0 * e / (crack_m - y0) for e in moduli)
-    nodes.add_joint(
-        bricks.name(brick),
-        brick,
-        facade,
-        line,
-        (0, -1, 0),
-        weights * (z1 - z0) * (x1 - x0),
-        jkn,
-        jks,
-        beta_s=beta_s * jkn_back / jkn,
-        gap_m=own.gap_m,
-        **back_strength(config["return_wall"], bonded),
-    )
+
+    nodes: NodeList
+    config: Mapping
+    facade: int
+    face: tuple
+    beta_s: float
+    bonded: bool
+    moduli: tuple | None
+
+    def touch(self, bricks, brick):
+        """Add the joint of one brick that ends at the crack, if it ends behind the façade."""
+        own, config = Facade.of(self.config["facade"]), self.config
+        (x0, y0, z0), (x1, _, z1) = bricks.low_m[brick], bricks.high_m[brick]
+        left_m, right_m, crack_m = self.face
+        z1 = min(z1, own.height_m)
+        x0, x1 = max(x0, left_m), min(x1, right_m)
+        if z1 - z0 <= TOLERANCE_M or x1 - x0 <= TOLERANCE_M:
+            return
+        points, weights = np.polynomial.legendre.leggauss(config["complete"]["nodes_per_course"])
+        points, weights = 0.5 + 0.5 * points, 0.5 * weights
+        line = np.stack(
+            [0 * points + 0.5 * (x0 + x1), 0 * points + crack_m, z0 + points * (z1 - z0)], axis=1
+        )
+        jkn_back = back_jkn(config)
+        jkn, jks = jkn_back, own.shear_stiffness_ratio * jkn_back
+        if self.moduli is not None:
+            jkn, jks = (2.0 * e / (crack_m - y0) for e in self.moduli)
+        self.nodes.add_joint(
+            bricks.name(brick),
+            brick,
+            self.facade,
+            line,
+            (0, -1, 0),
+            weights * (z1 - z0) * (x1 - x0),
+            jkn,
+            jks,
+            beta_s=self.beta_s * jkn_back / jkn,
+            gap_m=own.gap_m,
+            **back_strength(config["return_wall"], self.bonded),
+        )
 
 
 def with_rigid_floors(building):
