@@ -135,6 +135,16 @@ def test_without_friction_no_slanting_crack_is_listed_and_with_it_the_weakest():
     assert min(one.foot_m for one in stated) == 0.0
 
 
+def test_a_strong_row_of_ties_makes_a_slanting_crack_the_weaker():
+    """T h holds less of a heavier body: [W b/2 + V (b + h tan β/3) + T h]/(W h/2 + V 2h/3)."""
+    row = {"height_m": 6.0, "count": 2, "diameter_mm": 22.0}
+    known = family_of(resolved({**PLAIN, "ties": [row]}, crack_deg=30.0), DEMAND)
+    assert {one.crack_deg for one in known.all()} == {None, 30.0}
+    whole, slanting = known.part(0.0, "whole"), compound(known, 0.0, 30.0)
+    assert slanting.mechanism.multiplier() < whole.mechanism.multiplier()
+    assert known.slv(slanting) < known.slv(whole)
+
+
 def test_a_wedge_s_printed_parts_give_its_printed_results():
     known = family(SHAPED, **BRICKS)
     one = compound(known, 0.0, 12.0)
