@@ -20,6 +20,7 @@ from yade_scripts.model.ties import rods_at
 
 NEAR_M = 1e-6
 BEST = 4  # pairs of lines a foot that are looked at, by each measure
+THIRDS = (1.0 / 3.0, 2.0 / 3.0)  # of the way to the next foot: the best of each measure there
 FOLLOWED, BETWEEN = 3, 4  # of these the weakest, and feet tried to the next one that is listed
 
 
@@ -105,10 +106,14 @@ def widths(family):
     """
     last = family.height_m - LEAST_PART_M
     feet, chosen = [z for z in family.feet() if z < last], []
-    for foot in feet:
+    between = [
+        a + share * (b - a) for a, b in itertools.pairwise([*feet, last]) for share in THIRDS
+    ]
+    for foot in [*feet, *between]:
         own = list(_screened(family, foot))
         for measure in (0, 1):
-            chosen += [(foot, row[2]) for row in sorted(own, key=lambda row: row[measure])[:BEST]]
+            best = sorted(own, key=lambda row: row[measure])[: BEST if foot in feet else 1]
+            chosen += [(foot, row[2]) for row in best]
 
     def measured(foot, ends):
         site = Site(PART_WIDTH, foot, left_m=ends[0], right_m=ends[1])
@@ -116,8 +121,9 @@ def widths(family):
 
     found = sorted((measured(*one) for one in set(chosen)), key=lambda row: row[0])
     for _, site in found[:FOLLOWED]:
-        k, ends = feet.index(site.foot_m), (site.left_m, site.right_m)
-        beside = feet[max(k - 1, 0)], site.foot_m, feet[k + 1] if k + 1 < len(feet) else last
+        foot, ends = site.foot_m, (site.left_m, site.right_m)
+        low = max((z for z in feet if z < foot), default=foot)
+        beside = low, foot, min((z for z in feet if z > foot), default=last)
         for a, b in itertools.pairwise(beside):
             samples = np.linspace(a, b, BETWEEN + 2)[1:-1].tolist() if b - a > NEAR_M else []
             own = [z for z in samples if any(row[2] == ends for row in _screened(family, z))]

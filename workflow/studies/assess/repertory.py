@@ -2,13 +2,16 @@
 
 *Compound overturning* takes a wedge of each return wall along, between the façade's back face and a
 crack that leaves it at the foot and climbs at an angle from the vertical. Its weight stands farther
-back, so that without friction the vertical crack is the weakest: the whole façade. Where courses
-are interlocked their friction fades with the crack's angle β,
+back, so that where nothing holds the vertical crack is the weakest: the whole façade. Ties and
+anchors hold less of what is heavier, and behind strong ones a slanting crack may be weaker: it is
+to be stated, since nothing bounds its angle. Where courses are interlocked their friction fades
+with the crack's angle β,
 
     F(β) = F(0) (1 − tan β/tan β_b), tan β_b = l/h_b
 
-(Casapulla and others, 2021, as Szabó and others, 2023, eq. 2 and 3, quote it: on a crack along the
-units' own steps no bed joint rubs), with F(0) of C8.7.1.2: then some angle between is the weakest.
+(Casapulla and others, 2021, as Szabó and others, 2023, eq. 2 and 3, quote it: along the units' own
+steps no bed joint rubs, and no crack is flatter), with F(0) of C8.7.1.2. Up to there the weakest
+angle is looked for.
 
 *Horizontal bending* is `hanging.hanging`: between neighbouring rods of a row of ties, and between
 return walls where courses are interlocked with them.
@@ -117,8 +120,8 @@ def compound(family, foot_m, crack_deg):
 def compounds(family):
     """Compound overturning at its weakest foot and at the base.
 
-    Of the stated angle, or of each foot's weakest; none where that is the vertical crack, which the
-    part above that foot is.
+    Of the stated angle, or of the weakest where courses are stated; none where that is the vertical
+    crack, which the part above that foot is.
     """
     stated, steps = family.settings["crack_deg"], steepest_deg(family)
     if not family.wall["count"] or (stated is None and steps is None):

@@ -140,11 +140,11 @@ class Tied:
         for site in self.family(rows, self.slv).sites():
             own, before = self._pga_g([site], rows), known.get(site.part, math.inf)
             if own < WEAKER * before or own < WEAKER * self.demand.pga_g <= before:
-                low = site.part.split("_")[1]
                 if site.held_m is None:
                     self._between.append(site)
                 else:
-                    self._spans.setdefault((float(low), site.held_m), []).append(site)
+                    low = float(site.part.split("_")[1])
+                    self._spans.setdefault((low, site.held_m), []).append(site)
                 weaker = True
         return weaker
 

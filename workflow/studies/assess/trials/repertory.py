@@ -40,11 +40,11 @@ def whole(family, foot_m, ends):
 def dense(family):
     """Least PGA by kind [g]."""
     found, last = {}, family.height_m - LEAST_PART_M
-    if repertory.steepest_deg(family) is not None:
+    if (steps := repertory.steepest_deg(family)) is not None:
         found[COMPOUND] = min(
             family.slv(repertory.compound(family, z, float(deg)))
             for z in feet(last)
-            for deg in np.arange(0.0, 50.0, CRACK_DEG)
+            for deg in np.arange(0.0, steps, CRACK_DEG)
         )
     for left, right, top in repertory.supports(family):
         shares = np.arange(0.5 * SHARE, 1.0, SHARE)
