@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.patches import Polygon, Rectangle
 
 from studies.assess import drawn_bodies
+from yade_scripts.model.facades import ALONG
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.ties import rods_at
 
@@ -82,8 +83,9 @@ def _elevation(axis, family, candidate, scale):
     axis.add_patch(Polygon(outline, fc="0.88", ec="0", lw=1.0))
     for x0, x1, z0, z1 in m.shape.openings:
         axis.add_patch(Rectangle((x0, z0), x1 - x0, z1 - z0, fc="1", ec="0", lw=0.7))
-    for z0, *_ in m.shape.storeys[1:]:
-        axis.plot([-half, half], [z0, z0], color="0.4", lw=0.6, ls=":")
+    steps = [z0 for z0, z1 in drawn_bodies.pieces(m)[1:] if z1 <= m.top_m - m.gable_m]
+    for z in steps:
+        axis.plot([-half, half], [z, z], color="0.4", lw=0.6, ls=":")
     for row in facade.floors:
         axis.plot([-half, half], [row.height_m] * 2, color="0.2", lw=0.8, ls="--")
     for row in facade.ties:
@@ -101,7 +103,7 @@ def _elevation(axis, family, candidate, scale):
     own: dict[float, list] = {0.0: [], round(h, 3): ["eaves"] if top > h else [], round(top, 3): []}
     for word, heights in (
         ("floor", [row.height_m for row in facade.floors]),
-        ("step", [z for z, *_ in m.shape.storeys[1:] if _steps(m, z)]),
+        ("step", [z for z in steps if _steps(m, z)]),
         ("tie", [row.height_m for row in facade.ties]),
         ("ground", [ground] if family.base_m > 0.0 else []),
     ):
@@ -121,17 +123,16 @@ def _elevation(axis, family, candidate, scale):
 
 def _section(axis, family, candidate, scale):
     m, facade = family.masonry, family.facade
-    for z0, z1, y0, y1 in m.shape.storeys:
-        axis.add_patch(Rectangle((y0, z0), y1 - y0, z1 - z0, fc="0.75", ec="0", lw=0.9))
+    parts = drawn_bodies.pieces(m)
+    for z0, z1 in parts:
+        grey, width = ("0.75", 0.9) if z1 <= m.top_m - m.gable_m else ("0.9", 0.7)
+        axis.add_patch(Polygon(drawn_bodies.trapezoid(m, z0, z1), fc=grey, ec="0", lw=width))
     for z0, z1, y0, y1 in m.shape.cornices:
         axis.add_patch(Rectangle((y0, z0), y1 - y0, z1 - z0, fc="0.75", ec="0", lw=0.7))
     for _, z in family.thrusts:
         away = {"arrowstyle": "->", "lw": 1.0, "color": "0"}
         y = m.faces(z)[1]
         axis.annotate("", (y + 7 * scale, z), (y, z), arrowprops=away)
-    if m.gable_m > 1e-9:
-        y0, y1 = m.shape.storeys[-1][2:]
-        axis.add_patch(Rectangle((y0, m.height_m), y1 - y0, m.gable_m, fc="0.9", ec="0", lw=0.7))
     depth = 14 * scale
     axis.add_patch(Rectangle((-depth, 0.0), depth, m.height_m, fc="0.97", ec="0.7", hatch="//"))
     b, top = facade.thickness_m, m.top_m
@@ -155,7 +156,8 @@ def _section(axis, family, candidate, scale):
         middle = 0.5 * sum(m.faces(z, above=False))
         axis.plot([-depth, middle], [z, z], color="0.2", lw=0.9, ls="--")
         anchor = f", anchors {row.anchor_kn:g} kN" if row.anchor_kn else ""
-        held[z] = f"{held.get(z, '')} floor {row.load_kn:g} kN{anchor}"
+        load = "joists along" if row.joists == ALONG else f"{row.load_kn:g} kN"
+        held[z] = f"{held.get(z, '')} floor {load}{anchor}"
     for force, z in family.thrusts:
         held[z] = f"{held.get(z, '')} thrust {1e-3 * force:.3g} kN"
     values = sorted(held)
@@ -166,26 +168,35 @@ def _section(axis, family, candidate, scale):
         axis.text(-1.2 * depth, place, words, size=SMALL, ha="right", va="center")
     _places(axis, ground, {0.0, b}, 4.0 * scale, 2.9 * scale, (-4 * scale, b + 4 * scale))
     line, said = {"arrowstyle": "-", "lw": 0.4, "color": "0.55"}, ""
-    for z0, z1, y0, y1 in m.shape.storeys:
+    for z, at_m in _measured(m, parts):
+        y0, y1 = m.faces(at_m, above=False)
         said, before = f"{y1 - y0:.3g} thick", said
         if said == before:
             continue
-        z = 0.5 * (z0 + z1)
         at, place = (0.5 * (y0 + y1), z), (y1 + 9 * scale, z)
         axis.annotate(said, at, place, size=SMALL, va="center", arrowprops=line)
     words = "section, and the mechanism that fails first"
     _titled(axis, 0.5 * sum(SECTION_MM) * scale, top + 3.0 * scale, words)
 
 
+def _measured(masonry, parts):
+    """Heights at which a thickness is said, and of which: of every part, both ends of a taper."""
+    middles = [(0.5 * (z0 + z1),) * 2 for z0, z1 in parts if z1 <= masonry.top_m - masonry.gable_m]
+    if not masonry.tapers:
+        return middles
+    h = masonry.height_m
+    return [(0.1 * h, 0.0), (0.9 * h, h), *middles[1:]]
+
+
 def _turned(axis, masonry, mechanism):
     """Section of a mechanism at half of the rotation at which its multiplier vanishes."""
-    theta, storeys = 0.5 * mechanism.ultimate()[0], masonry.shape.storeys
+    theta = 0.5 * mechanism.ultimate()[0]
     for low, high, move in mechanism.pieces:
-        for z0, z1, y0, y1 in [*storeys, (masonry.height_m, masonry.top_m, *storeys[-1][2:])]:
+        for z0, z1 in drawn_bodies.pieces(masonry):
             a, c = max(z0, low), min(z1, high)
             if c - a < 1e-6:
                 continue
-            ends = [(y0, a), (y1, a), (y1, c), (y0, c)]
+            ends = drawn_bodies.trapezoid(masonry, a, c)
             turned = [tuple(v.real for v in move(end)(theta)) for end in ends]
             axis.add_patch(Polygon(turned, fc="none", ec="0", lw=0.9, ls="--"))
 

@@ -4,6 +4,25 @@ import math
 
 import numpy as np
 
+NEAR_M = 1e-9
+
+
+def pieces(masonry):
+    """Heights (z0, z1) between which the section is one trapezoid: a storey of thickness, a taper.
+
+    Its faces are those of `Masonry.faces` at its ends; a gable's is the last.
+    """
+    eaves = masonry.height_m
+    found = [s[:2] for s in masonry.shape.storeys if not masonry.tapers or s[0] > eaves - NEAR_M]
+    found = [(0.0, eaves), *found] if masonry.tapers else found
+    return [*found, (eaves, masonry.top_m)] if masonry.gable_m > NEAR_M else found
+
+
+def trapezoid(masonry, low_m, high_m):
+    """Corners (y, z) of the section between two heights of one of `pieces`."""
+    (y0, y1), (y2, y3) = masonry.faces(low_m), masonry.faces(high_m, above=False)
+    return [(y0, low_m), (y1, low_m), (y3, high_m), (y2, high_m)]
+
 
 def on_elevation(family, candidate):
     """Outlines (x, z) of what takes a part of the width; none of what takes all of it."""
@@ -20,7 +39,7 @@ def on_elevation(family, candidate):
 def _top(masonry, left, right):
     """Upper edge of what stands between two places, from right to left."""
     half, eaves = 0.5 * masonry.width_m, masonry.height_m
-    if masonry.gable_m <= 1e-9:
+    if masonry.gable_m <= NEAR_M:
         return [(right, masonry.top_m), (left, masonry.top_m)]
     places = sorted({left, right, *([0.0] if left < 0.0 < right else [])}, reverse=True)
     return [(x, eaves + masonry.gable_m * (1.0 - abs(x) / half)) for x in places]

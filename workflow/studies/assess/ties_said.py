@@ -37,11 +37,14 @@ def answer(data):
     if len(beyond):
         left = words_of([name for name, _ in together(beyond)])
         words += f" No row at these levels holds {left}."
-    if not rows["built_holds"].all():
+    if rows["built_holds"].all():
+        margin = rows["margin"].iloc[0]
+        words += f" In rods that are sold this is {margin:g} times the least or more."
+    else:
         words += " No rods that are sold, on anchors that hold them, give the margin: these do not."
     if not made:
         words += " The dynamic check was not made."
-    words += f" This is {rows['margin'].iloc[0]:g} times the least. Each anchor holds its rod: "
+    words += " Each anchor holds its rod: "
     words += "; ".join(f"{_anchor(r)}" for r in rows.itertuples()) + "."
     return words + not_shaken(after) + beside(after, model) + alone(data)
 
@@ -114,12 +117,17 @@ def alone(data):
             said.append(f"{model} asks for more than anchors at these levels hold")
         elif len(rows):
             forces = words_of(
-                [f"{r.force_kn:.0f} kN at {r.height_m:.2f} m" for r in rows.itertuples()]
+                [f"{about(r.force_kn)} kN at {r.height_m:.2f} m" for r in rows.itertuples()]
             )
             said.append(f"{model} asks for about {forces}")
         else:
             said.append(f"{model} for none")
     return f" By itself, without margin, {words_of(said)}." if said else ""
+
+
+def about(value):
+    """Two digits of a number that is known roughly."""
+    return f"{float(f'{value:.2g}'):g}"
 
 
 def kn(force_kn):

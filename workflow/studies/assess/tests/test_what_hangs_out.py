@@ -4,6 +4,7 @@ import math
 
 import pytest
 from rocking import Case
+from studies.assess import drawn_bodies
 from studies.assess.family import Family
 from studies.assess.partial_width import part_width
 from test_repertory import GAMMA, PLAIN, family, resolved
@@ -66,3 +67,22 @@ def test_a_wall_that_tapers(flush):
     assert part.mass_kg * 9.81 == pytest.approx(sum(w for w, *_ in sums), rel=2e-3)
     with pytest.raises(ValueError, match="top_thickness_m = 0.3: expected null"):
         resolved({**facade, "thickness_steps": [{"z_m": 3.0, "thickness_m": 0.4}]})
+
+
+@pytest.mark.parametrize("flush", ["outer", "inner"])
+def test_the_drawing_of_a_taper_is_one_body_of_the_weight(flush):
+    """Its section times the width weighs what the wall does, below a gable and with steps too."""
+
+    def drawn_m2(facade):
+        known, found = family(facade).masonry, 0.0
+        for low, high in drawn_bodies.pieces(known):
+            (a, _), (b, _), (c, _), (d, _) = drawn_bodies.trapezoid(known, low, high)
+            share = 1.0 if high <= known.top_m - known.gable_m else 0.5
+            found += share * 0.5 * (b - a + c - d) * (high - low)
+        return len(drawn_bodies.pieces(known)), found, known.weight_n / (GAMMA * 5.0)
+
+    taper = {**PLAIN, "thickness_m": 0.6, "top_thickness_m": 0.3, "flush_face": flush}
+    steps = {**PLAIN, "thickness_steps": [{"z_m": 3.0, "thickness_m": 0.4}], "flush_face": flush}
+    for facade, count in ((taper, 1), (steps, 2), ({**taper, "gable_height_m": 1.5}, 2)):
+        pieces, area, expected = drawn_m2(facade)
+        assert (pieces, area) == (count, pytest.approx(expected, rel=1e-9))
