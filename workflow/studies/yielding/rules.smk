@@ -52,7 +52,7 @@ figure_of(
 rule yielding:
     """
     The study's loss against the strength of a building that yields.
-    Costs: some two processor seconds a curve, 33 curves a component and direction by default.
+    Costs: some 40 s of processor time a component and direction, of 33 curves.
     """
     input:
         every_run(rules.yielding_table.output, rules.figure_yielding.output.png),
