@@ -12,8 +12,6 @@ from studies.assess.demand import TableDemand
 from studies.assess.family import Family, stretched
 from studies.assess.masonry import Masonry
 
-from yade_scripts.model.part import FLOOR
-
 PLAIN = {"height_m": 6.0, "thickness_m": 0.5, "width_m": 4.0, "density_kg_m3": 1800.0}
 FLAT = TableDemand(np.array([0.0, 0.1, 9.0]), np.array([0.2, 0.5, 0.5]))
 
@@ -114,8 +112,9 @@ def test_what_pushes_takes_from_the_multiplier_and_nothing_from_d0():
 
 
 def test_the_weakest_hinge_below_several_loads_is_that_below_their_resultant():
-    section = config.resolve({"facade": PLAIN})["facade"]
-    shipped = {**FLOOR, "height_m": 6.0}  # a dead load
+    loaded = {"facade": {**PLAIN, "floors": [{"height_m": 6.0, "load_kn": 1.0}]}}
+    section = config.resolve(loaded)["facade"]
+    (shipped,) = section["floors"]
     rows = [
         {**shipped, "load_kn": 10.0, "arm_m": 0.05},
         {**shipped, "load_kn": 30.0, "arm_m": 0.45},
