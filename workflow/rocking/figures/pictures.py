@@ -160,7 +160,7 @@ def side_view(axis, scene, config, theta=0.0):
         axis.add_patch(Polygon(shape, fc=FILLS[kind], ec="k", lw=0.4, zorder=over))
 
 
-class Look(NamedTuple):
+class FrameLook(NamedTuple):
     """How frames are drawn: displacement at the colours' end [m], limits in x and y, colours."""
 
     largest_m: float
@@ -170,7 +170,7 @@ class Look(NamedTuple):
 
 
 def draw(axis, frames, frame, walls, config, look):
-    """Draw one frame by a `Look`; returns the collection, for a colour bar."""
+    """Draw one frame by a `FrameLook`; returns the collection, for a colour bar."""
     polygons, values = faces(frames, frame, walls, config, look.magnification)
     collection = PolyCollection(
         polygons, array=values, cmap=look.cmap, edgecolors="0.75", linewidths=0.25

@@ -30,7 +30,7 @@ def main(job):
     time_s, d = np.array(frames["time_s"]), np.array(frames["d_over_b"])
     shown = window(frames)
     walls, h = config["return_wall"]["count"], config["facade"]["height_m"]
-    look = pictures.Look(config["facade"]["thickness_m"], ((-3.4, 4.6), (-0.7, h + 0.9)))
+    look = pictures.FrameLook(config["facade"]["thickness_m"], ((-3.4, 4.6), (-0.7, h + 0.9)))
     figure, (left, right) = plt.subplots(1, 2, figsize=(6.4, 4.0), width_ratios=(1.35, 1.0), dpi=90)
     right.plot(time_s, d, color=style.GREY, lw=0.8)
     right.axhline(1.0, color="k", ls=":", lw=0.8)

@@ -34,7 +34,7 @@ def main(job):
     limits = ((-3.4, 3.1), (-0.7, h + 0.9))
     most = COLUMNS + (len(frames) == COLUMNS + 1)  # one more does not go into a row of its own
     figure, axes = panels(len(frames), most, (1.75, 2.6), around=(0.0, 0.3))
-    look = pictures.Look(largest, limits, magnification=k)
+    look = pictures.FrameLook(largest, limits, magnification=k)
     for axis, f, i in zip(axes.flat, frames, at, strict=False):
         drawn = pictures.draw(axis, f, i, walls, config, look)
         axis.set_title(f"{f['model']}: d/b = {abs(f['d_over_b'][i]):.2f}")
