@@ -110,8 +110,9 @@ def sliders(case, mass_kg, masses, heights_m):
 
 def slides(smdof):
     """Whether springs and sliders can stand for the storeys of section smdof."""
-    simple = smdof["loops"] == LAWS[BILINEAR] and smdof["loss_drift_ratio"] is None
-    return simple or not yields(smdof)
+    if not yields(smdof):
+        return True
+    return smdof["loops"] == LAWS[BILINEAR] and smdof["loss_drift_ratio"] is None
 
 
 def sliding(scene):

@@ -60,7 +60,7 @@ def _loss(axis, part, kind):
     axis.axhline(0.0, color=style.GREY, lw=0.6, zorder=0)
     axis.set(xlabel="strength of the building V/W [-]", ylabel="loss of PGA from W1 [%]")
     axis.set_title(kind.name, loc="left")
-    axis.legend(fontsize=7)
+    axis.legend(fontsize=7, loc="lower left")
 
 
 def _first(axis, own, models):
