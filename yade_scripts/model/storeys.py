@@ -28,7 +28,7 @@ DRIFT, SHEAR, OUT, INWARD, PLACE, WORK, MEMORY = range(7)  # what a storey remem
 LEAST_SPAN = 1e-3  # of u_y: from where a peak-oriented storey crossed zero to its peak
 
 
-class Storeys(NamedTuple):
+class StoreyRules(NamedTuple):
     """Storeys from the bottom up; lengths in metres of drift."""
 
     law: int  # place in `LAWS`
@@ -42,7 +42,7 @@ class Storeys(NamedTuple):
     residual: float  # share that is left
 
 
-NO_STOREYS = Storeys(0, np.zeros(0), np.zeros(0), 0.0, 0.0, 1.0, NEVER_M, 0.0, 1.0)
+NO_STOREYS = StoreyRules(0, np.zeros(0), np.zeros(0), 0.0, 0.0, 1.0, NEVER_M, 0.0, 1.0)
 
 
 def storey_height(case):
@@ -51,7 +51,7 @@ def storey_height(case):
 
 
 def storeys_of(case, mass_kg=1.0):
-    """`Storeys` of a case whose chain has so much mass in all; `NO_STOREYS` where it is elastic.
+    """`StoreyRules` of a case whose chain has that mass in all; `NO_STOREYS` where it is elastic.
 
     V_y,i = (V/W) W Σ_{j ≥ i} z_j / Σ_j z_j for equal masses at heights z_j: the horizontal forces
     of the linear static analysis (NTC 2018 eq. 7.3.7, EN 1998-1 eq. 4.11).
@@ -68,7 +68,7 @@ def storeys_of(case, mass_kg=1.0):
     law = LAWS.index(chain["loops"])
     loss, lost = chain["loss_drift_ratio"], chain["lost_drift_ratio"]
     falls = loss is not None
-    return Storeys(
+    return StoreyRules(
         law,
         k,
         strength / k,
@@ -121,7 +121,7 @@ def sliding(scene):
     return [k for k, floor in enumerate(scene.floors) if floor.a not in pieces]
 
 
-class Chain(NamedTuple):
+class SteppedChain(NamedTuple):
     """Modes of a chain at a step, φᵀMφ = 1, and its storeys."""
 
     step_s: float
@@ -132,11 +132,11 @@ class Chain(NamedTuple):
     flow: np.ndarray  # (n, 4) from place and speed to those a step later
     load: np.ndarray  # (n, 4) of a load before and after on place and speed
     inertia: np.ndarray  # (n,) load by the ground's acceleration, −φᵀM1
-    storeys: Storeys
+    storeys: StoreyRules
 
 
 def chain_of(case, step_s):
-    """`Chain` of a case of one kilogram, at a step."""
+    """`SteppedChain` of a case of one kilogram, at a step."""
     mass, stiffness, damping = chain_matrices(case["smdof"], 1.0)
     one = mass[0, 0]
     values, vectors = np.linalg.eigh(stiffness / one)
@@ -145,7 +145,7 @@ def chain_of(case, step_s):
     exact = [_exact(square, rate, step_s) for square, rate in zip(values, damping, strict=True)]
     flows, loads = zip(*exact, strict=True)
     drift = np.diff(phi, axis=0, prepend=0.0)
-    return Chain(
+    return SteppedChain(
         step_s,
         np.ascontiguousarray(phi),
         np.ascontiguousarray(drift),
@@ -161,7 +161,7 @@ def chain_of(case, step_s):
 def _exact(square, rate, step_s):
     """Flow and load of q̈ + c q̇ + ω² q = f over a step, f straight: by a matrix exponential.
 
-    State (q, q̇, f, f's change over the step); shape (4,) each, see `Chain`.
+    State (q, q̇, f, f's change over the step); shape (4,) each, see `SteppedChain`.
     """
     whole = np.zeros((4, 4))
     whole[0, 1], whole[1, :3], whole[2, 3] = 1.0, (-square, -rate, 1.0), 1.0 / step_s
@@ -265,7 +265,7 @@ def march(chain, ground_m_s2, factors, start=None, floors=True):
 
     Parameters
     ----------
-    chain : Chain
+    chain : SteppedChain
     ground_m_s2 : ndarray, shape (nt,)
         At the chain's step.
     factors : sequence of m floats

@@ -109,7 +109,7 @@ def _march(chain, ground, factors, state, push, rows):
 
     Parameters
     ----------
-    chain : Chain
+    chain : SteppedChain
     ground : ndarray, shape (nt,)
     factors : ndarray, shape (1, WIDTH)
     state : ndarray, shape (2 n + MEMORY n, WIDTH)

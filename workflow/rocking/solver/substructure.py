@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rocking.runtime.compiled import inlined
-from yade_scripts.model.storeys import NO_STOREYS, Storeys
+from yade_scripts.model.storeys import NO_STOREYS, StoreyRules
 
 from .storeys import MEMORY, SHEAR, WORK, less
 from .vectors import alone, like, lone, put, some, take
@@ -29,7 +29,7 @@ class Bodies(NamedTuple):
     band: int  # how far from the diagonal the matrices have entries: modes have none beside it
     carriers: np.ndarray  # (supports, 2), int: from which to before which coordinate H has entries
     carried: np.ndarray  # (n, 2), int: the same by coordinates
-    storeys: Storeys  # of a chain whose masses are the coordinates; none: K holds at any drift
+    storeys: StoreyRules  # of a chain whose masses are the coordinates; none: K holds at any drift
 
 
 CHAIN = 5  # a chain has no more masses; modes are more
