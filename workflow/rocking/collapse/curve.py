@@ -13,7 +13,7 @@ import pandas as pd
 from rocking.collapse import building, probability, search
 from rocking.collapse.case import Case
 from rocking.collapse.equivalent import SLOPE
-from rocking.collapse.history import History
+from rocking.collapse.history import History, Outcome
 from rocking.collapse.limits import intensity, positive
 from rocking.collapse.motion import Motion
 from rocking.collapse.others import within_table
@@ -38,7 +38,7 @@ Search = Literal["scan", "climb", "crossings", "list"]
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
+class Curve(Outcome):
     """Outcomes of a case under a motion, by ascending intensity.
 
     Attributes
@@ -62,18 +62,8 @@ class Curve:
     found: Any = None
     wall_s: float = float("nan")
 
-    def __eq__(self, other: object) -> bool:
-        """Tell whether it is of the same with the same outcomes, whatever the time it took."""
-        if not isinstance(other, Curve):
-            return NotImplemented
-        return self._facts == other._facts and self.table.equals(other.table)
-
-    def __hash__(self) -> int:
-        """Return the hash of what it is of and of the number of histories."""
-        return hash(self._facts)
-
     @property
-    def _facts(self):
+    def _facts(self) -> tuple:  # not the time that it took
         return self.model, self.record, self.direction, self.spread, len(self.table)
 
     def __repr__(self) -> str:

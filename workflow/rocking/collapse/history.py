@@ -6,8 +6,28 @@ from dataclasses import dataclass
 import pandas as pd
 
 
+class Outcome:
+    """What is compared by a few facts (`_facts`, hashable) and by every row of its table."""
+
+    table: pd.DataFrame
+
+    @property
+    def _facts(self) -> tuple:
+        raise NotImplementedError
+
+    def __eq__(self, other: object) -> bool:
+        """Tell whether facts and every row are the same."""
+        if type(other) is not type(self):
+            return NotImplemented
+        return self._facts == other._facts and self.table.equals(other.table)
+
+    def __hash__(self) -> int:
+        """Return the hash of the facts."""
+        return hash(self._facts)
+
+
 @dataclass(frozen=True, eq=False)
-class History:
+class History(Outcome):
     """One history.
 
     Attributes
@@ -26,18 +46,8 @@ class History:
     status: str
     broken: int | None = None
 
-    def __eq__(self, other: object) -> bool:
-        """Tell whether outcome, peak and every row are the same."""
-        if not isinstance(other, History):
-            return NotImplemented
-        return self._facts == other._facts and self.table.equals(other.table)
-
-    def __hash__(self) -> int:
-        """Return the hash of outcome, peak and number of rows."""
-        return hash(self._facts)
-
     @property
-    def _facts(self):
+    def _facts(self) -> tuple:
         peak = None if math.isnan(self.d_over_b) else self.d_over_b
         return peak, self.status, self.broken, len(self.table)
 
