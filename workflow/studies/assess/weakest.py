@@ -23,6 +23,7 @@ NEAR_M = 0.03  # to which a height is found
 EVALUATIONS = 10  # of following one height down
 ROUNDS, SETTLED = 5, 0.995  # of following foot and hinge; a round gains more, or is the last
 STARTS = 6  # feet from which bending is followed
+DIP = 1.1  # times the least sample: from there no bottom of a dip comes below it
 NEVER = 1e6  # of what never fails, for arithmetic
 WORTH = 0.99  # of the feet either side: a foot between them counts from there on
 
@@ -52,6 +53,20 @@ def _sampled(low_m, high_m, apart_m=APART_M):
     return np.linspace(low_m + BESIDE_M, high_m - BESIDE_M, count).tolist()
 
 
+def _dips(samples, low_m, high_m):
+    """Samples (value, height) below both neighbours and near the least; the heights beside each.
+
+    The least sample alone may lie in a dip whose bottom is higher than another's.
+    """
+    values = [NEVER, *(min(value, NEVER) for value, _ in samples), NEVER]
+    places = [low_m, *(z for _, z in samples), high_m]
+    least = min(values)
+    for k, sample in enumerate(samples):
+        before, own, after = values[k : k + 3]
+        if own <= min(before, after, DIP * least):
+            yield places[k], sample, places[k + 2]
+
+
 def parts(family):
     """Parts above every foot, and between two feet the weakest where it is weaker than both."""
     found, listed_m, top = feet(family), family.feet(), family.masonry.top_m
@@ -72,10 +87,10 @@ def parts(family):
         samples = [(measure(z), z) for z in heights]
         if not samples:
             continue
-        best, at = min(samples)
-        places = [low, *heights, high]
-        k = places.index(at)
-        at, best = _least(measure, places[k - 1] + NEAR_M, places[k + 1] - NEAR_M, at, best)
+        best, at = min(
+            _least(measure, below + NEAR_M, above - NEAR_M, z, value)[::-1]
+            for below, (value, z), above in _dips(samples, low, high)
+        )
         if best < WORTH * min(listed[low], listed.get(high, math.inf)):
             found.append(Site(part, at, words=words))
     return sorted(found, key=lambda site: site.foot_m)
@@ -145,10 +160,11 @@ def _followed(family, measure, ends_m, feet, start):
     (low_m, high_m, next_m), (best, foot, hinge) = ends_m, start
     for _ in range(1 if next_m is None else ROUNDS):
         before, near = best, sorted({foot, high_m, *_hinges(family, foot, high_m), hinge})
-        k = near.index(hinge)
-        ends = near[max(k - 2, 0)], near[min(k + 2, len(near) - 1)]
-        ends = max(ends[0], foot + BLOCK_M), min(ends[1], high_m - BLOCK_M)
-        hinge, best = _least(lambda z, foot=foot: measure(foot, z), *ends, hinge, best)
+        below = max((z for z in near if z < hinge - 2.0 * BESIDE_M), default=foot)
+        above = min((z for z in near if z > hinge + 2.0 * BESIDE_M), default=high_m)
+        middle, ends = hinge, (max(below, foot + BLOCK_M), min(above, high_m - BLOCK_M))
+        for low, high in ((ends[0], middle), (middle, ends[1])):  # where it jumps one side is blind
+            hinge, best = _least(lambda z, foot=foot: measure(foot, z), low, high, hinge, best)
         if next_m is not None:
             last = min(next_m, hinge - BLOCK_M)
             below = max((z for z in feet if z < foot), default=low_m)
