@@ -65,7 +65,7 @@ def test_capacity_on_a_nearly_rigid_base():
     """With a stiff base the curve is tan(α − θ), no correction needed."""
     stiff = 300.0 * 1.8e9 / H
     curve, _ = pushed("free", facade={"base_stiffness_pa_m": stiff})
-    theta = theta_of(curve["d_over_b"], {"height_m": H, "thickness_m": B})
+    theta = theta_of(curve["d_over_b"], job("free")["facade"])
     inside = curve["d_over_b"].between(0.2, 0.95)
     rigid = closed_forms.capacity_rigid(theta, H, B)
     assert (np.abs(curve["lambda_dem"] - rigid)[inside] < 0.03 * B / H).all()
