@@ -37,11 +37,14 @@ def _package(path):
 
 
 def names(files):
-    """Dotted names of those files that are modules of the project, sorted."""
+    """Dotted names of those files that are modules of the project, sorted.
+
+    A script of a rule is none, wherever it lies: to import it would run it.
+    """
     found = []
     for path in map(Path, files):
         package = _package(path)
-        if package and path.suffix == ".py":
+        if package and path.suffix == ".py" and (path.parent / "__init__.py").is_file():
             found.append(package if path.stem == "__init__" else f"{package}.{path.stem}")
     return sorted(found)
 

@@ -196,3 +196,12 @@ def test_a_stamp_is_as_old_as_the_code_and_new_when_it_changes(tmp_path, monkeyp
     (tmp_path / "stamps" / f"{tmp_path.name}-yade_scripts-a" / "stamp").unlink()
     assert made() == 1.2e9
     as_at_a_start()
+
+
+def test_a_script_is_no_module_that_a_server_may_import():
+    """To import it would run it: not one of all scripts of rules has a dotted name."""
+    scripts = [*SCRIPTS.rglob("*.py"), *STUDIES.glob("*/scripts/*.py")]
+    assert len(scripts) > 80
+    assert sources.names(scripts) == []
+    beside = STUDIES / "assess" / "ties.py"
+    assert sources.names([beside, *scripts]) == ["studies.assess.ties"]
