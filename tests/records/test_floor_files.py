@@ -125,7 +125,7 @@ def test_recorded_motions_pass_in_order_and_not_from_the_roof_down(name):
 
 @pytest.mark.parametrize("law", ["bilinear", "origin_oriented"])
 def test_a_yielding_building_takes_energy_too(law):
-    """A drift that stays is none that an offset makes."""
+    """A storey that yielded stays displaced: that is no offset of the record."""
     motion = Motion.named("RRS228").record
     chain = Chain((3e4, 3e4), (6e6, 5e6))
     storeys = Storeys(law, tuple(strengths(0.1, [3e5, 3e5], [3.0, 6.0])))

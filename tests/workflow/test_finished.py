@@ -21,7 +21,7 @@ def test_a_run_of_a_model_that_is_gone_is_told_in_one_line(tmp_path):
 
 @pytest.fixture
 def blank():
-    """Tables of which one has a blank column, one another column, and one no rows."""
+    """Three tables: with a blank column, with another column, without rows."""
     return [
         pd.DataFrame({"model": ["W1"], "pga_g": [0.2], "fell": [True]}),
         pd.DataFrame({"model": ["W2"], "pga_g": [None], "fell": [False], "more": ["x"]}),

@@ -246,7 +246,7 @@ def _shape(facade: Facade, hinges: Sequence, key: str = "hinges_m") -> None:
 
 
 def _check_wedge(section: Mapping) -> None:
-    """Refuse a wedge of the return walls where there are none, or on a façade in pieces."""
+    """Refuse a wedge on a façade without return walls, or on one in pieces."""
     facade = Facade.of(section)
     if not facade.wedge_deg:
         return

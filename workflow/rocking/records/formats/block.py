@@ -60,7 +60,7 @@ class NumberBlock:
 
 
 def cells(line, separator, decimal_comma):
-    """Cells of a line, with decimal points; an empty one at the end is none."""
+    """Cells of a line, with decimal points, without an empty one at the end."""
     if '"' in line or "'" in line:
         line = _QUOTED.sub(r"\1", line)
     found = line.split(separator)
