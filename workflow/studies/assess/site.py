@@ -19,19 +19,19 @@ class SpectrumError(ValueError):
     """A spectrum that cannot be used; its text is one line."""
 
 
-def demand_said(own, sites):
+def demand_said(own, sites, say):
     """Where the demand is from, in words: of section assessment and the site's files."""
+    years = {"years": own["return_period_years"]}
     if own["spectrum"]:
-        return f"the spectrum in {own['spectrum']}"
-    once = f" once in {own['return_period_years']:g} years"
+        return say("page.demand.file", file=own["spectrum"])
     if (row := national.stated_row(own)) is not None:
-        return (
-            f"the spectrum of NTC 2018{once if own['hazard'] else ''} for a_g = "
-            f"{row['ag_g']:.3g} g, F0 = {row['f0']:.3g}, T_C* = {row['tc_star_s']:.3g} s, subsoil "
-            f"{own['soil']}, topography {own['topography']}"
-        )
-    names = ", ".join(Path(str(s)).name for s in sites)
-    return f"that of {names}{once}, with the median shape of the motions' spectra"
+        about = {"ag_g": row["ag_g"], "f0": row["f0"], "tc_s": row["tc_star_s"]}
+        about |= {key: own[key] for key in ("soil", "topography")}
+        if own["hazard"]:
+            return say("page.demand.national_years", **about, **years)
+        return say("page.demand.national", **about)
+    files = ", ".join(Path(str(s)).name for s in sites)
+    return say("page.demand.curve", file=files, **years)
 
 
 def read_spectrum(path):

@@ -2,33 +2,38 @@
 
 from rocking.mechanics.beta import EQ5_MODULUS_MPA, EQ5_THICKNESS_M
 
-BLOCK_WALL, COURSES_WALL = "one rigid block on E/h", "four elastic courses"
+from studies.assess.catalogue import SAY
+
+BLOCK_WALL, COURSES_WALL = "one rigid block on E/h", "four elastic courses"  # in tables
 WALL = {True: BLOCK_WALL, False: COURSES_WALL}  # the other wall, by whether it has courses
+WALL_KEYS = {BLOCK_WALL: "block", COURSES_WALL: "courses"}
 BETA = "beta_s"  # key of the sensitivity to contact damping
 
 
-def named(facade):
+def named(facade, say=SAY):
     """The wall in words, to end a sentence that begins with the façade."""
     if facade["courses"]:
-        return f"an elastic wall in {facade['courses']} courses"
+        return say("verdict.wall.courses", courses=facade["courses"])
     if facade["base_stiffness_pa_m"] is not None:
-        return "one rigid block on springs of the stated stiffness"
+        return say("verdict.wall.stated")
     if facade["base"] == "study":
-        return "one rigid block on even springs of E/h"
-    return f"one rigid block on springs stiffer at the edges (facade.base: {facade['base']})"
+        return say("verdict.wall.even")
+    return say("verdict.wall.edges", base=facade["base"])
 
 
 def beyond_law(config):
-    """What of a façade lies outside of what eq. 5 was fitted to, in words; empty where nothing."""
+    """What of a façade lies outside of what eq. 5 was fitted to: keys of the page, and values."""
     if config["damping"]["law"] != "eq5":
-        return ""
+        return []
     facade, found = config["facade"], []
-    (low, high), (soft, stiff) = EQ5_THICKNESS_M, EQ5_MODULUS_MPA
-    if not low <= facade["thickness_m"] <= high:
-        found.append(f"{facade['thickness_m']:g} m thick ({low:g} to {high:g} m)")
-    if not soft <= facade["e_mpa"] <= stiff:
-        found.append(f"of {facade['e_mpa']:,.0f} MPa ({soft:,.0f} to {stiff:,.0f} MPa)")
-    return " and ".join(found)
+    thick, stiff = facade["thickness_m"], facade["e_mpa"]
+    for key, name, value, (low, high) in (
+        ("beyond_thick", "thickness_m", thick, EQ5_THICKNESS_M),
+        ("beyond_stiff", "e_mpa", stiff, EQ5_MODULUS_MPA),
+    ):
+        if not low <= value <= high:
+            found.append((key, {name: value, "low": low, "high": high}))
+    return found
 
 
 def ranges_of(sensitivity, key):
