@@ -102,10 +102,15 @@ def _parts(rows, total, whole, say):
         say("hand.parts.caption_whole" if whole else "hand.parts.caption"),
         (say("hand.parts.part"), *symbols),
         cells,
-        (0.25, 0.08, 0.07, 0.07, 0.08, 0.07, 0.1, 0.1, 0.09, 0.09),
+        (0.24, 0.08, 0.07, 0.08, 0.08, 0.08, 0.1, 0.09, 0.09, 0.09),
         "",
         (len(cells) - 1,),
     )
+
+
+def _with(value, unit, say):
+    """A value with its unit, four figures; a mass in whole kilograms."""
+    return f"{say.number(value, ',.0f' if unit == 'kg' else '.4g')} {unit}".strip()
 
 
 def _holds(rows, say):
@@ -138,7 +143,7 @@ def by_hand(data, candidate, whole=True):
     total = byhand.sums(parts, holds)
     found = byhand.results(candidate, total, data.factor)
     rows = [
-        (symbol, say(f"hand.how.{key}"), f"{say.number(value, '.4g')} {unit}".strip())
+        (symbol, say(f"hand.how.{key}"), _with(value, unit, say))
         for symbol, key, value, unit in found
     ]
     rows += _demand_of(data, candidate)
@@ -166,7 +171,7 @@ def _by_strips(data, candidate):
     row = stated.loc[candidate.part]
     rows = [
         ("α0", "", say.number(row["multiplier"], ".4g")),
-        ("M*", "", f"{say.number(row['participating_mass_kg'], '.4g')} kg"),
+        ("M*", "", _with(row["participating_mass_kg"], "kg", say)),
         ("e*", "", say.number(row["e_star"], ".4g")),
         ("d0", "", f"{say.number(row['d0_m'], '.4g')} m"),
     ]

@@ -169,7 +169,7 @@ def _section(axis, say, family, candidate, scale):
     span = ground, max(top, ground + 3.0 * scale)
     for z, place in zip(values, spread(values, 3.2 * scale, *span), strict=True):
         axis.plot([-depth, -1.15 * depth], [z, place], color="0.55", lw=0.4)
-        axis.text(-1.2 * depth, place, " ".join(held[z]), size=SMALL, ha="right", va="center")
+        axis.text(-1.2 * depth, place, ", ".join(held[z]), size=SMALL, ha="right", va="center")
     _places(axis, say, ground, {0.0, b}, 4.0 * scale, 2.9 * scale, (-4 * scale, b + 4 * scale))
     line, told = {"arrowstyle": "-", "lw": 0.4, "color": "0.55"}, ""
     for z, at_m in _measured(m, parts):

@@ -28,6 +28,7 @@ DATE = "SOURCE_DATE_EPOCH"  # of fonts, as fontTools reads it
 MM = 1.0 / 25.4  # inches
 WIDTH_MM = 120.0  # of a picture: readable at a phone's width too
 NUMBER = re.compile(r"[<>]?[−-]?[0-9.,]+(e-?[0-9]+)?( ?[%A-Za-zα/²³]{1,5})?|–")
+FIGURES = re.compile(r"[−+-]?[0-9.,]+")
 TEXT: dict[Any, Any] = {  # of pictures: text stays text, of the size of captions
     "svg.fonttype": "none",
     "svg.hashsalt": "report",
@@ -87,15 +88,19 @@ class Marked(Formatter):
 
     def __call__(self, value, pos=None):
         """One number."""
-        return self.own(value, pos).translate(self.marks)
+        return self._marked(self.own(value, pos))
 
     def format_ticks(self, values):
         """All of them."""
-        return [text.translate(self.marks) for text in self.own.format_ticks(values)]
+        return [self._marked(text) for text in self.own.format_ticks(values)]
 
     def get_offset(self):
         """Power of ten beside the axis."""
-        return self.own.get_offset().translate(self.marks)
+        return self._marked(self.own.get_offset())
+
+    def _marked(self, text):
+        """A number's text; words stay as they are."""
+        return text.translate(self.marks) if FIGURES.fullmatch(text) else text
 
 
 def image(picture, say=SAY):

@@ -8,6 +8,7 @@ from yade_scripts.model.registry import MODELS
 
 LOOKS = (("-", "0.0"), ("--", "0.35"), ("-.", "0.5"))  # line and grey
 DRY = [name for name, model in MODELS.items() if model.compiled and not model.bonded]
+NEAR = 0.15  # of a chart's width: labels of one bar are one label there
 LINES = dict(zip(DRY, LOOKS, strict=True))
 
 
@@ -107,15 +108,16 @@ def tornado(say, table, base, figure):
     by_key = table.groupby("key", sort=False)["value"]
     ends = by_key.agg(low=lambda v: min(v.min(), base), high=lambda v: max(v.max(), base))
     keys = list(ends[ends["high"] - ends["low"] > 1e-9].index)  # without those that do nothing
+    near = NEAR * float(ends["high"].max() - ends["low"].min())
     for y, key in enumerate(keys[::-1]):
         part = table[table["key"] == key].sort_values("factor")
         low, high = ends.loc[key, "low"], ends.loc[key, "high"]
         axis.barh(y, high - low, left=low, height=0.5, fc="0.85", ec="0.3", lw=0.6)
-        for _, row in part.iterrows():
-            right = row["value"] > base
+        for value, factors in _together(part, base, near):
+            right = value > base
             axis.annotate(
-                f"×{say.number(row['factor'], 'g')}",
-                (row["value"], y),
+                " ".join(f"×{say.number(factor, 'g')}" for factor in factors),
+                (value, y),
                 (4 if right else -4, 0),
                 textcoords="offset points",
                 ha="left" if right else "right",
@@ -127,3 +129,19 @@ def tornado(say, table, base, figure):
     axis.use_sticky_edges = False
     axis.margins(x=0.25)
     axis.set_xlabel(say("table.sensitivity.label"))
+
+
+def _together(part, base, near):
+    """Labels of one bar: (value, factors); those on one side that are `near` each other as one."""
+    found: list[tuple] = []
+    for right in (False, True):
+        own = part[(part["value"] > base) == right].sort_values("value", ascending=right)
+        for row in own.itertuples():
+            if found and (found[-1][0] > base) == right and abs(row.value - found[-1][0]) < near:
+                value, factors = found.pop()
+                found.append(
+                    (row.value, [*factors, row.factor] if right else [row.factor, *factors])
+                )
+            else:
+                found.append((row.value, [row.factor]))
+    return found
