@@ -232,7 +232,7 @@ def _demand_of(data, candidate):
 def _national(data):
     """Rows of the spectrum of NTC 2018 that is the demand; none where another one is."""
     own, say = data.config["assessment"], data.say
-    if own["spectrum"] or (row := stated_row(own)) is None:
+    if own["spectrum"] or own["en_spectrum"] or (row := stated_row(own)) is None:
         return []
     demand = spectrum_of(row, own["soil"], own["topography"])
     ss, st, tb, tc, td = demand.factors

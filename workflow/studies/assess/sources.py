@@ -5,7 +5,8 @@ can look each of them up: number and text stand in the catalogue under the same 
 
 Of New Zealand's guidelines (section C8 of the assessment of existing buildings, July 2017, and its
 drafts of 2015 and 2016) the public copies that could be searched give title pages and contents
-alone: the displacement-based check of face-loaded walls, which %NBS rests on, is not here.
+alone: the displacement-based check of face-loaded walls, which %NBS rests on, is not here. Nor are
+the h/t limits of ASCE 41, whose table was not found.
 """
 
 from typing import NamedTuple
@@ -16,6 +17,7 @@ OFFICIAL = "official"  # wording, in a public transcription with page numbers
 TRANSCRIPTION = "transcription"  # of the formula, in the same place, from the page's image
 SECOND_HAND, DERIVED, UNREAD = "second_hand", "derived", "unread"
 CIRCOLARE, NTC, EUROCODE, NEW_ZEALAND = "circolare", "ntc", "eurocode", "new_zealand"
+SPECTRA = "spectra"  # of EN 1998-1
 MECHANICS, OFFICE, CASAPULLA = "mechanics", "office", "casapulla"
 
 
@@ -47,6 +49,7 @@ FORMULAS = {
     "eta": Formula(NTC),
     "motions": Formula(NTC, OFFICIAL),
     "rocking": Formula(EUROCODE, SECOND_HAND),
+    "en_spectrum": Formula(SPECTRA, SECOND_HAND),
     "parts": Formula(NEW_ZEALAND, SECOND_HAND),
     "wedge": Formula(MECHANICS, DERIVED),
     "crack": Formula(CASAPULLA, SECOND_HAND),
