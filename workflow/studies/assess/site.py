@@ -112,9 +112,9 @@ def demand_from(settings, records, spectrum, hazard):
     """The ground's demand: of a table, of a code, or the median shape at the hazard's PGA.
 
     The first that is stated of the file of a spectrum, and in section assessment of
-    `en_spectrum`, `hazard` (rows of NTC 2018) and `ag_g`; else that of the file of a hazard curve, where the shapes of `records`
-    stand for the site's. Files are empty where there is none; `settings` are sections smdof and
-    assessment, and risk.site.
+    `en_spectrum`, `hazard` (rows of NTC 2018) and `ag_g`; else that of the file of a hazard curve,
+    where the shapes of `records` stand for the site's. Files are empty where there is none;
+    `settings` are sections smdof and assessment, and risk.site.
     """
     own = settings["assessment"]
     if spectrum:
