@@ -28,6 +28,7 @@ __all__ = [
     "changed",
     "check_files",
     "expand_scenarios",
+    "laid_over",
     "nested",
     "relevant",
     "resolve",
@@ -209,7 +210,7 @@ def expanded(config: Mapping) -> dict[str, tuple[dict[str, Any], dict[str, Any]]
     for name, overrides in (named or {"": {}}).items():
         for label, cell in cells.items():
             ending = "-".join(part for part in (name, label) if part)
-            given = _merge(_merge(common, overrides), cell)
+            given = laid_over(laid_over(common, overrides), cell)
             try:
                 one = resolve(given)
                 if ending:
@@ -320,7 +321,7 @@ def _nest(given: dict, where: str) -> dict:
             value = {part: value}
         if head in out and _both(out[head], value):
             raise ConfigError(f"{where}.{key}: given twice")
-        out[head] = _merge(out[head], value) if head in out else value
+        out[head] = laid_over(out[head], value) if head in out else value
     return out
 
 
@@ -331,11 +332,11 @@ def _both(one: Any, two: Any) -> bool:
     return any(_both(one[key], two[key]) for key in one.keys() & two.keys())
 
 
-def _merge(given: dict, overrides: dict) -> dict:
+def laid_over(given: dict, overrides: dict) -> dict:
     """Lay overrides over what is given by section; lists and single values are replaced."""
     out = dict(given)
     for key, value in overrides.items():
         old = out.get(key)
         both = isinstance(old, dict) and isinstance(value, dict)
-        out[key] = _merge(old, value) if both else value  # type: ignore[arg-type]
+        out[key] = laid_over(old, value) if both else value  # type: ignore[arg-type]
     return out
