@@ -17,7 +17,9 @@ from rocking.configuration.differences import by_path
 from rocking.configuration.facade import check_facade
 from rocking.configuration.files import changed, check_files, write_resolved
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show, value_at
+from rocking.configuration.settled import settle, settle_mass
 from rocking.configuration.storeys import check_storeys
+from rocking.configuration.study import as_in_the_study
 from rocking.configuration.units import unusual
 from rocking.configuration.words import listed
 from yade_scripts.model.part import part_of
@@ -59,10 +61,13 @@ def resolve(config: Mapping) -> dict[str, Any]:
     known = config_schema.whole()
     resolved = config_schema.complete(_rated(values), known)
     refusals.refuse_invalid(resolved, known)
+    stated = {path for path, _ in by_path(values)}
+    settle(resolved, stated)
     try:
         check(resolved)
     except ConfigError as error:  # what follows from a number in another unit is no help alone
         raise ConfigError("; ".join([error.detail, *list(unusual(resolved))[:1]])) from None
+    settle_mass(resolved, stated)
     return resolved
 
 
@@ -158,9 +163,9 @@ class Settings(str):
     def words(self):
         """What is set, in words; not what the workflow chooses itself, nor what there is none of.
 
-        There is none of what an empty list says, or a 0 that is the default: gables, gaps, bonds.
+        There is none of what an empty list says, or a 0 that is the study's: gables, gaps, courses.
         """
-        usual = resolve({})
+        usual = resolve(as_in_the_study())
         return listed(
             (key, value)
             for section, values in json.loads(self).items()
