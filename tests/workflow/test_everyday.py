@@ -61,24 +61,6 @@ def records(tmp_path_factory):
     return folder
 
 
-def test_records_without_a_station_are_named_where_an_interval_is_drawn(records, tmp_path):
-    """Once, and not by a target that draws none, nor where the table names stations."""
-    table, path = "record\tfile\tdt_s\tunits\tstation", tmp_path / "mine.tsv"
-    rows = [f"S{i}{c}\t{records / 'good.txt'}\t0.01\tg" for i in range(4) for c in "NE"]
-    words = ["-n", "--config", "records_table=mine.tsv", "models=W1,W2", "directions=pos", "--"]
-
-    def said(stations, target):
-        path.write_text("\n".join([table, *map("{}\t{}".format, rows, stations)]) + "\n")
-        done = snakemake(tmp_path, *words, target)
-        assert done.returncode == 0, done.stderr[-2000:]
-        return [line for line in lines(done, "warning") if "station" in line]
-
-    (line,) = said([""] * 8, "fragility")
-    assert line.startswith("warning: mine.tsv: 8 of 8 records name no station")
-    assert said([""] * 8, "all") == []
-    assert said([f"S{i // 2}" for i in range(8)], "fragility") == []
-
-
 MINE = ["--config", "run=mine", "records_table=mine.tsv"]
 
 

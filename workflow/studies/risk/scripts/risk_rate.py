@@ -3,11 +3,11 @@
 Writes tables/risk.csv and risk/deaggregation.csv.
 """
 
-from rocking.risk.collapse import COLUMNS, PARTS, risk_of
-from rocking.risk.fragility_tables import SHARE, shares
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
 from rocking.tables import read_frame, write_table
+from studies.risk.collapse import COLUMNS, PARTS, risk_of
+from studies.risk.fragility_tables import SHARE, shares
 
 
 def main(job):

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pandas as pd
-
 from rocking import stations
 from rocking.collapse import probability
 from rocking.collapse.equivalent import cells

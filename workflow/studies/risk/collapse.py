@@ -1,7 +1,6 @@
 """Risk of collapse of every model of a run: rate, probability in time, and by intensity."""
 
 import numpy as np
-
 from rocking import stations
 from rocking.risk import fragility, rates
 

@@ -34,11 +34,11 @@ rule fragility_table:
         facade=values_of("facade", "height_m", "thickness_m"),
         smdof=values_of("smdof", "period_s", "damping_ratio"),
     script:
-        "../scripts/fragility/fragility_table.py"
+        "scripts/fragility_table.py"
 
 
 figure_by(
-    "fragility/fragility_figure",
+    "studies/risk/scripts/fragility_figure",
     "fragility",
     "Fragility",
     "fragility curves",
@@ -56,7 +56,7 @@ figure_by(
 
 
 figure_by(
-    "fragility/figure_intensity_measures",
+    "studies/risk/scripts/figure_intensity_measures",
     "intensity_measures",
     "Fragility",
     "efficiency of intensity measures",
@@ -77,7 +77,7 @@ rule fragility_nrml:
     params:
         period_s=value_of("smdof.period_s"),
     script:
-        "../scripts/fragility/fragility_nrml.py"
+        "scripts/fragility_nrml.py"
 
 
 rule fragility:

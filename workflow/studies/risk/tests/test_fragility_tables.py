@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.collapse import probability
-from rocking.risk import fragility_tables as tables
+from studies.risk import fragility_tables as tables
 
 RECORDS = [f"r{i}" for i in range(24)]
 SETTINGS = {"measures": ["better", "pga_g"], "confidence": 0.9, "resamples": 200, "seed": 3}

@@ -4,10 +4,10 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.risk import rates
-from rocking.risk.collapse import COLUMNS, PARTS, risk_of
 from rocking.risk.fragility import MIN_DISPERSION, Bootstrap, Fragility, fit
 from rocking.risk.hazard import Hazard, HazardError, read_hazard
 from scipy.special import ndtri
+from studies.risk.collapse import COLUMNS, PARTS, risk_of
 
 LAW = Hazard("pga_g", np.array([0.1, 0.2, 0.4]), 1e-3 * np.array([0.1, 0.2, 0.4]) ** -2.0)
 SETTINGS = {"confidence": 0.9, "resamples": 200, "seed": 1, "min_stations": 12}

@@ -1,6 +1,10 @@
 # Rate of collapse at a site, from a hazard curve and the fragility of the run.
 # Ask for `risk`, with `risk: {hazard: <file>}`.
-from rocking.risk.hazard import HazardError, stated_hazard
+from rocking.risk.hazard import HazardError
+from studies.risk.stated import stated_hazard
+
+
+include: "fragility.smk"
 
 
 def hazard(wildcards):
@@ -26,11 +30,11 @@ rule risk_rate:
         fragility=value_of("fragility"),
         period_s=value_of("smdof.period_s"),
     script:
-        "../scripts/risk/risk_rate.py"
+        "scripts/risk_rate.py"
 
 
 figure_by(
-    "risk/figure_risk",
+    "studies/risk/scripts/figure_risk",
     "risk",
     "Risk",
     "hazard, fragility and rate of collapse",
