@@ -21,7 +21,7 @@ import numpy as np
 from rocking import solver
 from rocking.collapse.scan import layouts
 from rocking.configuration.config import resolve
-from rocking.mechanics import column, rocking_block
+from rocking.mechanics import column
 from rocking.reference import Motion, simulate, simulate_batch
 from rocking.reference.facade import wall_of
 from rocking.reference.stack import StackSolver
@@ -52,12 +52,11 @@ def planar(model, motions=0):
 
 
 def others():
-    """The reference solvers, the rigid block and the column."""
+    """The reference solvers, and the column."""
     wall = wall_of(case("W1")[0], 3)
     motion = Motion(1.0, STILL)
     simulate(wall, motion)
     simulate_batch(wall, motion, dt_s=1e-2)
-    rocking_block.peak_rotation(STILL, 1.0, 6.48, 0.375)
     column.capacity(0.5, 0.05, 0.06)
     own, numerics = case("W2m")
     own = {**own, "return_wall": {**own["return_wall"], "building_mass_kg": 1.0}}

@@ -128,9 +128,11 @@ def studies() -> dict[Path, str]:
     for rules in sorted(config_schema.STUDIES.glob("*/rules.smk")):
         folder = rules.parent
         lines = [f"# `{folder.name}`: targets and keys", "", WRITTEN, ""]
-        lines += ["| target | what it makes | costs |", "|---|---|---|"]
-        own = targets.targets(study=folder.name)
-        lines += [f"| `{name}` | {one.makes} | {one.costs} |" for name, one in own.items()]
+        if own := targets.targets(study=folder.name):
+            lines += ["| target | what it makes | costs |", "|---|---|---|"]
+            lines += [f"| `{name}` | {one.makes} | {one.costs} |" for name, one in own.items()]
+        else:
+            lines += ["No target: its files are asked for by name, as its rules say."]
         for name, schema in config_schema.sections().items():
             if study_of(name) == folder:
                 title = schema.get("title", name).lower()

@@ -18,7 +18,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rocking.records.errors import RecordError
 from rocking.records.intensity_measures import MEASURES
 from rocking.records.text import comma_hint, read_text
 

@@ -1,7 +1,7 @@
 # Runs side by side: a grid, scenarios, or finished runs by name.
 import yaml
 from rocking.configuration.differences import differences
-from rocking.runs import finished
+from studies.compare import finished
 
 RESOLVED = results("config.yaml")  # configuration of a finished run
 
@@ -83,7 +83,7 @@ rule compare_runs:
     params:
         differing=compared_settings,
     script:
-        "../scripts/compare/figure_compare.py"
+        "scripts/figure_compare.py"
 
 
 rule compare:

@@ -10,8 +10,8 @@ from xml.sax.saxutils import quoteattr
 
 import meshio
 import numpy as np
-
 from rocking.figures.pictures import boxes, corners, turned
+
 from yade_scripts.model.facades import Facade
 
 

@@ -5,9 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from rocking.records import Record, integrate, load, measures, read_table
-from rocking.records.pulses import PERIODS_S, find_pulses, pulse_spec
 from rocking.records.surrogate import generate
 from rocking.records.surrogate_model import Pulse
+
+from studies.surrogates.pulses import PERIODS_S, find_pulses, pulse_spec
 
 DT = 0.01
 # far apart, on periods of the search, of opposite signs
@@ -68,7 +69,7 @@ def test_a_surrogate_with_pulses_keeps_peaks_and_the_way_the_ground_went():
 
 @pytest.mark.parametrize("name", ["RRS228", "1ST280"])
 def test_shipped_descriptions_give_motions_of_their_peaks(name):
-    table = Path(__file__).parents[2] / "config" / "suites" / "pulse_surrogates.tsv"
+    table = Path(__file__).parents[3] / "config" / "suites" / "pulse_surrogates.tsv"
     stated, made = read_table(table)[name].targets, measures(load(name, table, seed=3))
     for peak, value in stated.items():
         assert made[peak] == pytest.approx(value, rel=0.01)

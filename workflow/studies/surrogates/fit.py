@@ -1,9 +1,9 @@
 """Describe recorded motions by pulses: parameters of surrogates for what may not be shipped.
 
-    .venv/bin/python tools/fit_surrogates.py my_records.tsv OUTPUT_FOLDER [--pulses 20]
+    .venv/bin/python -m studies.surrogates.fit my_records.tsv OUTPUT_FOLDER [--pulses 20]
 
 OUTPUT_FOLDER gets pulse_surrogates.tsv (names, peaks, duration) and surrogates.yaml (pulses and
-noise, see `rocking.records.pulses`): numbers that describe a motion, none of its samples.
+noise, see `studies.surrogates.pulses`): numbers that describe a motion, none of its samples.
 """
 
 import argparse
@@ -12,11 +12,12 @@ from pathlib import Path
 
 import yaml
 from rocking.records import load, measures, read_table
-from rocking.records.pulses import pulse_spec
 from rocking.records.table import TARGETS
 
+from studies.surrogates.pulses import pulse_spec
+
 MOVED = 12  # pulses whose amplitude may move a little to meet the peaks
-NOTE = "# Written by tools/fit_surrogates.py, which says how.\n"
+NOTE = "# Written by workflow/studies/surrogates/fit.py, which says how.\n"
 
 
 def described(record, pulses):

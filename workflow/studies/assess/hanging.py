@@ -24,7 +24,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-
 from rocking.mechanics.mechanism import Mechanism, Pull, Weight, cos_sin
 
 

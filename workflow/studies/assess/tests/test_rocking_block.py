@@ -10,7 +10,7 @@ from rocking.mechanics.closed_forms import (
     overturning_half_sine,
     restitution_one_sided,
 )
-from rocking.mechanics.rocking_block import overturning_pga, peak_rotation
+from studies.assess.rocking_block import overturning_pga, peak_rotation
 
 
 def test_one_degree_of_freedom_rebounds_as_the_closed_form():

@@ -2,9 +2,9 @@
 
 import json
 
-from rocking.figures import paraview
 from rocking.runtime.script import run
 from rocking.tables import read_json
+from studies.history import paraview
 
 
 def main(job):

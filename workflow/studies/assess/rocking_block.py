@@ -11,9 +11,9 @@ compliance, no sliding, no floors: what a solver of the whole scene is to be set
 import math
 
 import numpy as np
-
 from rocking.mechanics.closed_forms import GRAVITY_M_S2, _positive, block, restitution_one_sided
 from rocking.runtime.compiled import compiled
+
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2 as G_M_S2
 
 STEP_S = 5e-4

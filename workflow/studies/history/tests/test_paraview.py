@@ -6,7 +6,7 @@ import re
 import meshio
 import numpy as np
 import pytest
-from rocking.figures import paraview
+from studies.history import paraview
 from yade_process import resolved, run_study
 
 from yade_scripts.model import floor_motions
