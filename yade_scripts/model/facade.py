@@ -41,7 +41,17 @@ from yade_scripts.model.panels import base_block, building_mass, hang_base
 from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
 from yade_scripts.model.rest import at_rest
 from yade_scripts.model.return_walls import WALL, add_return_walls, back_jkn
-from yade_scripts.model.scene import DOFS, DRY, NO_DRAG, Block, NodeList, Scene, box_inertia, held
+from yade_scripts.model.scene import (
+    DOFS,
+    DRY,
+    NO_DRAG,
+    Block,
+    Interface,
+    NodeList,
+    Scene,
+    box_inertia,
+    held,
+)
 from yade_scripts.model.shape import shape_of
 from yade_scripts.model.storeys import sliders
 from yade_scripts.model.thrusts import thrust_ties
@@ -101,18 +111,16 @@ def facade_scene(
     floors that meet no return wall, two components with masses that are not driven, or a base that
     hangs on a building without a mass.
     """
-    kind = registry.model(model)
+    kind, facade = registry.model(model), Facade.of(config["facade"])
     if not kind.single_block:
         raise ValueError(f"façade model '{model}' has an assembly of its own")
     if not 0.0 <= release_ratio < 1.0:
         raise ValueError(f"release θ0/α must lie in [0, 1), got {release_ratio}")
-    facade = Facade.of(config["facade"])
-    config = {**config, "facade": facade}
-    shape, raised = shape_of(facade), facade.base_height_m
+    config, shape = {**config, "facade": facade}, shape_of(facade)
     if two_components and (planar or kind.two_way or shape.hinges_m):
         raise ValueError(f"{model}: two components need a full scene, one block, driven supports")
     motions: dict = {}
-    hangs = kind.two_way and bool(raised)
+    hangs = kind.two_way and bool(facade.base_height_m)
     driven = None if kind.two_way else _base_motion(config, motions)
     blocks, nodes = [ground_block(facade, driven)], NodeList()
     walls_stand = kind.walls != "none" and not facade.is_free
@@ -129,9 +137,7 @@ def facade_scene(
         blocks[0] = replace(blocks[0], name=UNDER)
     walls, links, masses = [], [], []
     if walls_stand or hangs:
-        walls, links, masses = add_return_walls(
-            config, kind, beta_s, blocks, nodes, planar, motions, shape, walls_stand
-        )
+        walls, links, masses = add_return_walls(beds, kind, blocks, motions, shape, walls_stand)
         if hangs:
             hang_base(config, blocks, nodes, base, masses)
     if two_components:
@@ -143,14 +149,12 @@ def facade_scene(
     ties = facade_ties(facade.ties, *behind) + anchor_ties(facade.floors, *behind)
     ties += thrust_ties(facade.thrusts, *behind)
     floors, springs = facade_floors(facade.floors, *behind, config["smdof"]["damping_ratio"])
-    even, found = _even(nodes.joints, tops) if facade.courses else [], nodes.done()
-    of_courses = np.isin(found.joint, [nodes.joints.index(name) for name in even])
-    found.drag[of_courses & (found.kind == DRY)] = NO_DRAG
+    even = _even(nodes.joints, tops) if facade.courses else []
     notes = {"motions": motions, "watched": tops, "even": even}
     return Scene(
         blocks,
         nodes.joints,
-        found,
+        _without_drag(nodes, even),
         monitor=blocks[1 + len(tops)].name,
         monitor_point_m=(0.0, 0.5 * sum(shape.storeys[-1][2:]), shape.top_m),
         reference=BASE,
@@ -184,6 +188,14 @@ def _along_the_facade(motions):
         along(name): {along(floor): share for floor, share in mix.items()}
         for name, mix in motions.items()
     }
+
+
+def _without_drag(nodes, even):
+    """`Nodes` of a list, without dashpots along dry joints of these names."""
+    found = nodes.done()
+    of_courses = np.isin(found.joint, [nodes.joints.index(name) for name in even])
+    found.drag[of_courses & (found.kind == DRY)] = NO_DRAG
+    return found
 
 
 def _even(joints, tops):
@@ -223,6 +235,7 @@ class Beds:
 
     def __init__(self, config, beta_s, nodes, *, planar):
         """Of a façade of this configuration; its joints are added to `nodes`."""
+        self.config, self.planar = config, planar
         self.facade, self.beta_s, self.nodes = Facade.of(config["facade"]), beta_s, nodes
         self.points, self.weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
         gauss = np.array([-0.5, 0.5]) * (self.facade.width_m / math.sqrt(3.0))
@@ -245,7 +258,9 @@ class Beds:
         jkn = base_jkn(own) * np.tile(shares(own, weights) / weights, len(columns[0]))
         jks = own.shear_stiffness_ratio * jkn
         held_by = {"beta_s": self.beta_s, **bond(own), "gap_m": gaps}
-        self.nodes.add_joint(BASE, facade, ground, places, (0, 0, 1), areas, jkn, jks, **held_by)
+        self.nodes.add_joint(
+            BASE, facade, ground, places, (0, 0, 1), areas, Interface(jkn, jks, **held_by)
+        )
 
     def bed(self, name, upper, lower, height_m, jkn, *, load="", meets=None):
         """Add the joint at a height between two pieces, or between the façade and a load on it.
@@ -264,7 +279,9 @@ class Beds:
         places, areas = over_columns(line, weights * b * width, self.columns)
         jks = (NO_SHEAR if load else own.shear_stiffness_ratio) * jkn
         held_by = {"beta_s": self.beta_s, **(held(0.0, 0.0, 0.0) if load else bond(own))}
-        self.nodes.add_joint(name, upper, lower, places, (0, 0, 1), areas, jkn, jks, **held_by)
+        self.nodes.add_joint(
+            name, upper, lower, places, (0, 0, 1), areas, Interface(jkn, jks, **held_by)
+        )
 
 
 def bond(facade):

@@ -112,21 +112,26 @@ def load(
     if name not in table:
         raise RecordError(f"{table_path}: no record {name!r}{nearest(str(name), table)}")
     row = table[name]
-    path = row.vertical_path if vertical else row.path
-    if vertical and path is None:
+    if vertical and row.vertical_path is None:
         raise RecordError(
             f"{table_path}, line {row.line}: record {name} has no vertical motion; expected it in "
             "the column vertical or vertical_file"
         )
-    if path is not None:
-        record = read_record(path, format=row.format, **row.stated(vertical))
-        options = {"method": baseline} if isinstance(baseline, str) else dict(baseline)
-        record = treat(record, **options)
+    if vertical or row.path is not None:
+        record = _of_file(row, vertical, baseline)
     else:
         surrogates_path = surrogates_path or surrogates_for(table_path)
         spec = read_specs(surrogates_path).get(name) if surrogates_path else None
         record = generate(name, **row.targets, spec=spec, seed=seed)
     return replace(record, details=record.details | {"about": row.about}) if row.about else record
+
+
+def _of_file(row, vertical, baseline):
+    """Motion of a table row's file, its baseline treated."""
+    path = row.vertical_path if vertical else row.path
+    record = read_record(path, format=row.format, **row.stated(vertical))
+    options = {"method": baseline} if isinstance(baseline, str) else dict(baseline)
+    return treat(record, **options)
 
 
 def load_as(settings, name, table_path):

@@ -3,6 +3,7 @@
 from rocking.collapse.case import Case
 from rocking.configuration.config import ConfigError
 from rocking.configuration.facade import check_facade
+
 from yade_scripts.model.registry import MODELS
 
 
