@@ -22,7 +22,7 @@ from rocking import solver
 from rocking.collapse.scan import layouts
 from rocking.configuration.config import resolve
 from rocking.mechanics import column
-from rocking.reference import Motion, simulate, simulate_batch
+from rocking.reference import Steps, SupportTable, simulate, simulate_batch
 from rocking.reference.facade import wall_of
 from rocking.reference.stack import StackSolver
 from rocking.runtime import warm
@@ -54,9 +54,9 @@ def planar(model, motions=0):
 def others():
     """The reference solvers, and the column."""
     wall = wall_of(case("W1")[0], 3)
-    motion = Motion(1.0, STILL)
+    motion = SupportTable(1.0, STILL)
     simulate(wall, motion)
-    simulate_batch(wall, motion, dt_s=1e-2)
+    simulate_batch(wall, motion, steps=Steps(fixed_s=1e-2))
     column.capacity(0.5, 0.05, 0.06)
     own, numerics = case("W2m")
     own = {**own, "return_wall": {**own["return_wall"], "building_mass_kg": 1.0}}

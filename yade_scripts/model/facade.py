@@ -103,35 +103,26 @@ def facade_scene(
     of free rocking: the façade starts rotated outward about its front toe, at rest, with the base
     nodes around the toe carrying its weight.
 
-    `thickness_m` of the scene is that of the whole façade, also of one in pieces: what its top
-    moves by as the weight line of all of it passes the toe, b for a plain one. d is measured from
-    the base; of pieces it is the largest displacement of any one's top.
+    `thickness_m` of the scene is what the whole façade's top moves by as its weight line passes the
+    toe, b for a plain one. d is measured from the base; of pieces it is the largest of any top.
 
-    ValueError of one line for an unknown model, a release that is not within 0 ≤ θ₀/α < 1, ties and
-    floors that meet no return wall, two components with masses that are not driven, or a base that
-    hangs on a building without a mass.
+    ValueError of one line for an unknown model, a release not within 0 ≤ θ₀/α < 1, what meets no
+    return wall, two components with masses that are not driven, a base on a building without mass.
     """
     kind, facade = registry.model(model), Facade.of(config["facade"])
-    if not kind.single_block:
-        raise ValueError(f"façade model '{model}' has an assembly of its own")
-    if not 0.0 <= release_ratio < 1.0:
-        raise ValueError(f"release θ0/α must lie in [0, 1), got {release_ratio}")
     config, shape = {**config, "facade": facade}, shape_of(facade)
+    _refuse(model, kind, release_ratio)
     if two_components and (planar or kind.two_way or shape.hinges_m):
         raise ValueError(f"{model}: two components need a full scene, one block, driven supports")
     motions: dict = {}
     hangs = kind.two_way and bool(facade.base_height_m)
-    driven = None if kind.two_way else _base_motion(config, motions)
-    blocks, nodes = [ground_block(facade, driven)], NodeList()
+    blocks, nodes = [ground_block(facade, _base_motion(config, kind, motions))], NodeList()
     walls_stand = kind.walls != "none" and not facade.is_free
     columns = None if planar else _columns(shape.base_strips, width_nodes)
     base = 2 + len(shape.hinges_m) if hangs else 0
     beds = Beds(config, beta_s, nodes, planar=planar)
     _stand(beds, blocks, shape, columns, release_ratio, walls_stand, base)
-    tops = [
-        (blocks[k].name, (0.0, 0.5 * sum(shape.faces_at(z)), z))
-        for k, z in enumerate(shape.hinges_m, 1)
-    ]
+    tops = _tops(blocks, shape)
     if hangs:
         blocks.append(base_block(config, blocks[0]))
         blocks[0] = replace(blocks[0], name=UNDER)
@@ -141,13 +132,9 @@ def facade_scene(
         if hangs:
             hang_base(config, blocks, nodes, base, masses)
     if two_components:
-        blocks = [b if b.free else replace(b, motion_x=along(b.motion)) for b in blocks]
-        motions |= _along_the_facade(motions)
-
+        blocks = _along_the_facade(blocks, motions)
     pressing = level_loads(facade, shape, blocks, walls, beds)
     behind = walls, blocks, shape
-    ties = facade_ties(facade.ties, *behind) + anchor_ties(facade.floors, *behind)
-    ties += thrust_ties(facade.thrusts, *behind)
     floors, springs = facade_floors(facade.floors, *behind, config["smdof"]["damping_ratio"])
     even = _even(nodes.joints, tops) if facade.courses else []
     notes = {"motions": motions, "watched": tops, "even": even}
@@ -160,11 +147,32 @@ def facade_scene(
         reference=BASE,
         thickness_m=facade.thickness_m if facade.is_plain else shape.overturning_m,
         links=[*links, *springs],
-        ties=ties,
+        ties=_ties(facade, *behind),
         floors=floors + pressing + _storeys(config, blocks, masses),
         shaking=GROUND if kind.two_way else None,
         notes={key: value for key, value in notes.items() if value},
     )
+
+
+def _refuse(model, kind, release_ratio):
+    """ValueError of one line for a model of another assembly, or a release that is none."""
+    if not kind.single_block:
+        raise ValueError(f"façade model '{model}' has an assembly of its own")
+    if not 0.0 <= release_ratio < 1.0:
+        raise ValueError(f"release θ0/α must lie in [0, 1), got {release_ratio}")
+
+
+def _tops(blocks, shape):
+    """Name of each piece below the highest, and the middle of its top (x, y, z)."""
+    middle = [(0.0, 0.5 * sum(shape.faces_at(z)), z) for z in shape.hinges_m]
+    return [(blocks[k].name, point) for k, point in enumerate(middle, 1)]
+
+
+def _ties(facade, walls, blocks, shape):
+    """Ties, anchors of floors and thrusts of a façade."""
+    behind = walls, blocks, shape
+    ties = facade_ties(facade.ties, *behind) + anchor_ties(facade.floors, *behind)
+    return ties + thrust_ties(facade.thrusts, *behind)
 
 
 def _storeys(config, blocks, masses):
@@ -173,21 +181,24 @@ def _storeys(config, blocks, masses):
     return sliders(config, building_mass(config), masses, heights) if masses else []
 
 
-def _base_motion(config, motions):
-    """Name of the motion of a driven base: the ground's, or further up the chain's by height."""
+def _base_motion(config, kind, motions):
+    """Motion of a driven base, by name: the ground's, further up the chain's by height; or None."""
     facade = config["facade"]
+    if kind.two_way:
+        return None
     if not facade.base_height_m:
         return GROUND
     whole, n = facade.building_top_m, config["smdof"]["n_dof"]
     return motion_of("interpolated", facade.base_height_m, whole, n, motions)
 
 
-def _along_the_facade(motions):
-    """Mixed motions along x that go with those out of plane, by name and weights."""
-    return {
+def _along_the_facade(blocks, motions):
+    """Blocks whose supports are driven along x too; to `motions` mixed ones along x are added."""
+    motions |= {
         along(name): {along(floor): share for floor, share in mix.items()}
         for name, mix in motions.items()
     }
+    return [b if b.free else replace(b, motion_x=along(b.motion)) for b in blocks]
 
 
 def _without_drag(nodes, even):

@@ -27,13 +27,13 @@ def shares(cases, entries, shaken, pga_g):
     none is left.
     """
     rows = []
-    how = {"search": "list", "settings": {"pga_g": [pga_g]}}
     for case in cases:
-        for added in ([], entries) if entries else ([],):
-            tied = case.varied(Variant("ties", added={"facade.ties": added})) if added else case
-            status = [one.status[0] for one in collapse_curves(tied, shaken, **how)]
+        with_rows = case.varied(Variant("ties", added={"facade.ties": entries}))
+        for count, one in ((0, case), (len(entries), with_rows)) if entries else ((0, case),):
+            curves = collapse_curves(one, shaken, search="list", settings={"pga_g": [pga_g]})
+            status = [curve.status[0] for curve in curves]
             stood, failed = status.count("ok"), status.count("failed")
             valid = len(status) - failed
             share = stood / valid if valid else float("nan")
-            rows.append((case.model, len(added), pga_g, len(status), stood, failed, share))
+            rows.append((case.model, count, pga_g, len(status), stood, failed, share))
     return [dict(zip(COLUMNS, row, strict=True)) for row in rows]

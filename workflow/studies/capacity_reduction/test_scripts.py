@@ -9,7 +9,7 @@ import pytest
 from made_curves import curve, record
 from run_script import script
 
-from smdof.chain import floor_motions
+from smdof.chain import floor_motions, shear_chain
 from yade_scripts.model.motion import SupportMotion
 
 pytestmark = pytest.mark.slow
@@ -30,7 +30,7 @@ def test_motion_of_a_facade_up_the_building_is_that_of_the_floors_it_stands_on(t
     )
     given = pd.read_csv(path)["acceleration_m_s2"].to_numpy()
     tail_s = np.log(1e4) * 0.3 / (2 * np.pi * 0.05)  # longer than the 1 s asked for
-    whole = floor_motions(given, 0.01, below + 2, 0.3, 0.05, "modal", tail_s=tail_s)
+    whole = floor_motions(given, 0.01, shear_chain(below + 2, 0.3), tail_s=tail_s)
     levels = np.vstack([whole.ground_m_s2, whole.floors_m_s2])
     found = pd.read_csv(out["motion"])
     assert list(found.columns) == ["time_s", "ground_m_s2", "floor1_m_s2", "floor2_m_s2"]

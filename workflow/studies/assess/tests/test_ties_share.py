@@ -39,7 +39,7 @@ def test_a_history_that_failed_counts_neither_way(monkeypatch):
 
     outcomes = [Found(status) for status in ("ok", "overturned", "ok", "failed")]
     name = "studies.assess.ties_share.collapse_curves"
-    monkeypatch.setattr(name, lambda case, shaken, **how: outcomes[: len(shaken)])
+    monkeypatch.setattr(name, lambda case, shaken, search, settings: outcomes[: len(shaken)])
     case = Case.configured("W1")
     (row,) = shares([case], [], [(None, "pos")] * 4, PGA_G)
     assert (row["curves"], row["stood"], row["failed"]) == (4, 2, 1)

@@ -81,7 +81,9 @@ def shaken(entry):
     )
     step, _ = simulate.choose_step(scene, {"step_fraction": entry["step_fraction"]})
     tilt = Tilt(scene, entry["fallen_rad"])
-    history = simulate.run(scene, {GROUND: ground}, step, rules, check=tilt, full_rotation=True)
+    history = simulate.run(
+        scene, {GROUND: ground}, step, rules, check=tilt, making=simulate.Making(full_rotation=True)
+    )
     fell = tilt.fell or history.status == simulate.OVERTURNED
     status = "failed" if history.status == simulate.FAILED else "fell" if fell else "stood"
     found = {key: getattr(tilt, key) for key in ("tilt_rad", "twist_rad", "moved_m")}
