@@ -31,6 +31,7 @@ import numpy as np
 
 from yade_scripts.model import registry
 from yade_scripts.model.base import BASE, base_jkn, shares, total
+from yade_scripts.model.chain import yields
 from yade_scripts.model.facades import Facade
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.floors import facade_floors, level_loads
@@ -133,7 +134,7 @@ def facade_scene(
             hang_base(config, blocks, nodes, base, masses)
     if two_components:
         blocks = _along_the_facade(blocks, motions)
-    pressing = level_loads(facade, shape, blocks, walls, beds)
+    pressing = level_loads(shape, blocks, walls, beds)
     behind = walls, blocks, shape
     floors, springs = facade_floors(facade.floors, *behind, config["smdof"]["damping_ratio"])
     even = _even(nodes.joints, tops) if facade.courses else []
@@ -177,8 +178,10 @@ def _ties(facade, walls, blocks, shape):
 
 def _storeys(config, blocks, masses):
     """What yields between the masses of the chain, where these are part of the scene."""
+    if not masses or not yields(config["smdof"]):
+        return []
     heights = [blocks[i].centre_m[2] for i in masses]
-    return sliders(config, building_mass(config), masses, heights) if masses else []
+    return sliders(config, building_mass(config), masses, heights)
 
 
 def _base_motion(config, kind, motions):
@@ -236,7 +239,7 @@ def _stand(beds, blocks, shape, columns, release_ratio, walls_stand, base):
         lever_m=shape.lever_m,
     )
     blocks += pieces(facade, shape, upright) if shape.hinges_m else [upright]
-    stiffness = hinge_stiffness(facade, shape)
+    stiffness = hinge_stiffness(facade.e_mpa, shape)
     for k, z in enumerate(shape.hinges_m, 1):
         beds.bed(f"hinge {k}", k + 1, k, z, float(stiffness[k - 1]), meets=shape.joint_at(z))
 
