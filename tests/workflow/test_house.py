@@ -1,4 +1,4 @@
-"""How the house is built: sizes of functions, floors of rooms, the way from a case to a scene."""
+"""How the house is built: sizes of functions, the way from a case to a scene, keys and rules."""
 
 import ast
 import re
@@ -17,9 +17,9 @@ from yade_scripts.model.facades import Facade
 ROOT = Path(__file__).resolve().parents[2]
 LONGEST, MOST = 60, 8  # lines of a function, its arguments
 COMPILED = {"compiled", "inlined"}  # loops in which numba takes no objects
-ROOMS, KEYS, RULES = 16, 170, 90
+KEYS, RULES = 170, 90
 STOPS, CLIMBS = 12, 3
-PACKAGES = {"smdof": ROOT, "yade_scripts": ROOT, "rocking": ROOT / "workflow"}
+PACKAGES = {"smdof", "yade_scripts", "rocking"}
 APART = {"tests", "trials", "__pycache__"}
 
 
@@ -76,55 +76,6 @@ def test_no_two_classes_have_one_name():
     assert {name: where for name, where in places.items() if len(where) > 1} == {}
 
 
-MODULES = {
-    ".".join(path.relative_to(top).with_suffix("").parts).removesuffix(".__init__"): path
-    for package, top in PACKAGES.items()
-    for path in (top / package).rglob("*.py")
-    if not APART & {*path.parts}
-}
-
-
-def room(module):
-    """Package in which a module lies: the first two names of it; files beside them are apart."""
-    path = MODULES[module]
-    parts = module.split(".") if path.name == "__init__.py" else module.split(".")[:-1]
-    return ".".join(parts[:2]) or module
-
-
-def imported(module):
-    """Modules of the core that one imports, also within its functions."""
-    path = MODULES[module]
-    package = module if path.name == "__init__.py" else module.rpartition(".")[0]
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-        if isinstance(node, ast.Import):
-            yield from (one.name for one in node.names if one.name in MODULES)
-        elif isinstance(node, ast.ImportFrom):
-            above = package.split(".")[: len(package.split(".")) - node.level + 1]
-            base = ".".join([*(above if node.level else []), *filter(None, [node.module])])
-            for one in node.names:
-                name = f"{base}.{one.name}"
-                if (name if name in MODULES else base) in MODULES:
-                    yield name if name in MODULES else base
-
-
-def test_rooms_are_few_and_every_import_goes_down():
-    """Rooms can be laid on floors: each imports of those below alone.
-
-    What lies beside the rooms of a package, such as `rocking.tables`, is in none of them.
-    """
-    down = defaultdict(set)
-    for module in MODULES:
-        own = room(module)
-        down[own] |= {room(other) for other in imported(module)} - {own}
-    inner = {name for name in down if name not in ("rocking", "yade_scripts")}
-    assert 10 < len(inner) <= ROOMS
-    left = {name: down[name] & inner for name in inner}
-    while left:
-        floor = {name for name, below in left.items() if not below & {*left}}
-        assert floor, f"imports in a circle among {sorted(left)}"
-        left = {name: below for name, below in left.items() if name not in floor}
-
-
 def carries(value):
     """Whether a value is a configuration, a case or a façade."""
     sections = isinstance(value, dict) and {"facade", "return_wall"} <= {*value}
@@ -140,7 +91,7 @@ def way(function):
 
     def follow(frame, event, _):
         module = frame.f_globals.get("__name__", "")
-        if event != "call" or module not in MODULES:
+        if event != "call" or module.partition(".")[0] not in PACKAGES:
             return
         code = frame.f_code
         names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
