@@ -10,9 +10,9 @@ damping model.
 from dataclasses import dataclass, replace
 
 import numpy as np
-from rocking.building.case import translation_mode
 
 import smdof
+from studies.building.case import translation_mode
 
 from .comparison import N_DOF, top_motion
 

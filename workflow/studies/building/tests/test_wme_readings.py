@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from rocking.building.case import PAPER_PERIODS_S
-from rocking.building.modes import Modes
 from rocking.records import Record
+from studies.building.case import PAPER_PERIODS_S
 from studies.building.comparison import N_DOF, PAPER_WME, TopMotion, chain_top, top_motion
 from studies.building.history import PointHistory, mass_damping_rate, modal_history
+from studies.building.modes import Modes
 from studies.building.readings import Reading, errors, readings, strong_part
 
 import smdof

@@ -1,7 +1,7 @@
 """The floor load that gives a building its period, and what is said where none does."""
 
 import pytest
-from rocking.building.case import load_of_period
+from studies.building.case import load_of_period
 
 
 def of_load(load_kg_m2):

@@ -2,14 +2,14 @@
 
 from functools import cache
 
-from scipy.optimize import brentq
-
 from rocking.configuration.files import read_yaml
 from rocking.configuration.schema import ConfigError
+from scipy.optimize import brentq
+
+from studies.building.model.assembly import build
+from studies.building.model.bricks import Brick
+from studies.building.model.contacts import Joints
 from yade_scripts.files import read_json
-from yade_scripts.model.building.assembly import build
-from yade_scripts.model.building.bricks import Brick
-from yade_scripts.model.building.contacts import Joints
 from yade_scripts.model.building.plan import PlanError, plan_from_dict
 
 from .modes import Solver

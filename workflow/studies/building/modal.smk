@@ -41,7 +41,7 @@ rule building_fit:
     params:
         building=values_of("building", *BRICK_MODEL),
     script:
-        "../scripts/building/building_fit.py"
+        "scripts/building_fit.py"
 
 
 rule building_modal:
@@ -55,4 +55,20 @@ rule building_modal:
     params:
         building=values_of("building", *BRICK_MODEL, "modes"),
     script:
-        "../scripts/building/building_modal.py"
+        "scripts/building_modal.py"
+
+
+# What others take of it: the mass behind the façade, and T1 with and without façades.
+rule building_stage:
+    input:
+        fit=rules.building_fit.output[0],
+        cbdem=of_run(rules.building_modal.output[0], building="CBDEM"),
+        sbdem=of_run(rules.building_modal.output[0], building="SBDEM"),
+    output:
+        results("building/stage.json"),
+    script:
+        "scripts/building_stage.py"
+
+
+OF_BUILDING["mass"] = of_run(rules.building_fit.output[0])
+OF_BUILDING["stage"] = of_run(rules.building_stage.output[0])

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from studies.building.model.bricks import Brick, Bricks, lay
+from studies.building.model.contacts import KINDS, Interfaces, Joints, interfaces, weakened
+from studies.building.model.floors import floor_boxes
 from yade_scripts.model import floor_motions
-from yade_scripts.model.building.bricks import Brick, Bricks, lay
-from yade_scripts.model.building.contacts import KINDS, Interfaces, Joints, interfaces, weakened
-from yade_scripts.model.building.floors import floor_boxes
 from yade_scripts.model.building.plan import TOLERANCE_M, Plan, PlanError
 from yade_scripts.model.scene import WELD, Block, Nodes, Scene, box_inertia
 

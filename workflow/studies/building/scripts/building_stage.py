@@ -1,9 +1,9 @@
 """What the building stage says of the chain: its mass, and T1 with and without façades."""
 
-from rocking.building.case import translation_mode
-from rocking.building.modes import Modes
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_json
+from studies.building.case import translation_mode
+from studies.building.modes import Modes
 
 
 def period(path):

@@ -7,21 +7,21 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from rocking.building.case import fit_floor_load, read_plan, translation_mode
-from rocking.building.modes import Solver, largest_frequency, matrices, rigid_motions
-from rocking.building.ordering import equation_order
 from scipy.linalg import expm
 from scipy.optimize import brentq
 from scipy.sparse import csc_array
 from scipy.sparse.linalg import splu, spsolve
+from studies.building.case import fit_floor_load, read_plan, translation_mode
+from studies.building.model.assembly import build
+from studies.building.model.bricks import Brick, lay
+from studies.building.model.contacts import KINDS, Joints
+from studies.building.modes import Solver, largest_frequency, matrices, rigid_motions
+from studies.building.ordering import equation_order
 
 from yade_scripts.model import stiffness
-from yade_scripts.model.building.assembly import build
-from yade_scripts.model.building.bricks import Brick, lay
-from yade_scripts.model.building.contacts import KINDS, Joints
 from yade_scripts.model.building.plan import Opening, Plan, PlanError, PlanWall, plan_from_dict
 
-BUILDINGS = Path(__file__).parents[3] / "config" / "buildings"
+BUILDINGS = Path(__file__).parents[4] / "config" / "buildings"
 JOINTS, BRICK = Joints(), Brick()
 E_BED = JOINTS.bed_jkn_pa_m * BRICK.height_m  # 307.2 MPa
 DENSITY = 1800.0

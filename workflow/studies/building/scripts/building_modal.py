@@ -1,8 +1,8 @@
 """Modes of CBDEM or SBDEM with the fitted floor load (building/{building}_modes.npz)."""
 
-from rocking.building.case import fitted_model
-from rocking.building.modes import Solver
 from rocking.runtime.script import run
+from studies.building.case import fitted_model
+from studies.building.modes import Solver
 
 
 def main(job):

@@ -1,8 +1,8 @@
 """Floor load that gives the building its stated period, and its mass (building/fit.json)."""
 
-from rocking.building.case import fit_floor_load, mass_behind_facade, read_plan
 from rocking.runtime.script import run
 from rocking.tables import write_json
+from studies.building.case import fit_floor_load, mass_behind_facade, read_plan
 
 
 def main(job):

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from rocking.building.case import (
+from rocking.configuration import config
+from studies.building.case import (
     PAPER_PERIODS_S,
     build_model,
     mass_behind_facade,
@@ -13,12 +14,11 @@ from rocking.building.case import (
     translation_mode,
     twist_mode,
 )
-from rocking.building.modes import Solver
-from rocking.configuration import config
+from studies.building.modes import Solver
 
 from yade_scripts.model.building.plan import PlanError, plan_from_dict
 
-BUILDINGS = Path(__file__).parents[2] / "config" / "buildings"
+BUILDINGS = Path(__file__).parents[4] / "config" / "buildings"
 COARSE = 6.0
 
 
