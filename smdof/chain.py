@@ -244,10 +244,12 @@ def floor_motions(
     Raises
     ------
     ValueError
-        If the motion, the chain, its damping, `refine` or `tail_s` is unusable.
+        If the motion, its damping, `refine` or `tail_s` is unusable.
     """
     ground = checked_motion(ground_m_s2, dt_s)
-    chain = chain if chain is not None else shear_chain(4, 0.27)
+    chain = shear_chain(4, 0.27) if chain is None else chain
+    if not isinstance(chain, Chain):
+        raise TypeError(f"chain: expected a Chain, as of shear_chain, got {type(chain).__name__}")
     omega, _ = chain.modes()
     zeta = chain.damping_ratios(damping_ratio, damping_model, rayleigh_modes)
     if not (math.isfinite(tail_s) and tail_s >= 0.0):
