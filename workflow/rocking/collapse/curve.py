@@ -361,7 +361,12 @@ def history(
 
         _shaken(case, motion, direction)
         return yade_history(case, motion, direction, pga_g)
-    (screen,) = run_by(solver, case, motion, direction).routes([pga_g])
+    return _planar_history(run_by(solver, case, motion, direction), pga_g, sample_s)
+
+
+def _planar_history(run, pga_g, sample_s):
+    """One history of a screen of `run_by`, at one intensity."""
+    (screen,) = run.routes([pga_g])
     plane = screen.planes[0]
     (motions,), (factor,) = screen.shaking(pga_g)
     found = runs.history(

@@ -265,6 +265,7 @@ rule assess_ties:
         models=results("assessment/ties_models.csv"),
         after=results("assessment/ties_mechanisms.csv"),
         tried=results("assessment/ties_tried.csv"),
+        share=results("assessment/ties_share.csv"),
         yaml=results("assessment/ties.yaml"),
     benchmark:
         benchmarks("assess_ties")
@@ -382,4 +383,3 @@ rule assess:
 
 
 include: "code_against_dynamics.smk"
-include: "strengthening.smk"
