@@ -101,7 +101,7 @@ def stamped(path):
     try:
         return str(stamps.stamp(path))
     except OSError as error:
-        stop(error)
+        stop(f"{error.filename}: {error.strerror}: a file is written there; move away what is in its way")
 
 
 def code(script, study=None):
