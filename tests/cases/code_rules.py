@@ -85,6 +85,18 @@ def faults(text, allowed=frozenset()):
     return sorted(found - allowed)
 
 
+def used(text):
+    """Dotted names that a source uses or imports, as far as its imports tell what they are."""
+    tree, known = ast.parse(text), {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            known |= {one.asname: one.name for one in node.names if one.asname}
+        elif isinstance(node, ast.ImportFrom) and not node.level:
+            known |= {one.asname or one.name: f"{node.module}.{one.name}" for one in node.names}
+    every = [node for node in ast.walk(tree) if isinstance(node, ast.Name | ast.Attribute)]
+    return {*known.values(), *(_dotted(node, known) for node in every)}
+
+
 def _module(name):
     return {one for one in MODULES if name == one or name.startswith(f"{one}.")}
 
