@@ -33,7 +33,7 @@ def guard():
 
 
 def look_at_folder():
-    """Let Snakemake look at the folder of `--directory`, however that is spelt, before it goes there.
+    """Let Snakemake look at the folder of `--directory` before it goes there, however it is spelt.
 
     It makes one that is not there, and ends in a traceback where it cannot.
     """

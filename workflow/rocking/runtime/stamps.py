@@ -3,6 +3,7 @@
 Forty files a job were most of what Snakemake spent on planning a study of thousands of jobs.
 """
 
+import contextlib
 import os
 from functools import cache
 from pathlib import Path
@@ -42,7 +43,8 @@ def stamp(script, folder=FOLDER):
             os.utime(new, (dated_s := target.stat().st_mtime, dated_s))
         os.replace(new, target)
     except OSError as error:
-        new.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):  # where its folder is a file
+            new.unlink()
         raise named(error, target) from None
     return target
 
