@@ -4,6 +4,7 @@ Forty files a job were most of what Snakemake spent on planning a study of thous
 """
 
 import contextlib
+import errno
 import os
 from functools import cache
 from pathlib import Path
@@ -33,6 +34,8 @@ def stamp(script, folder=FOLDER):
     if before == text:
         return target
     new = target.with_name(f".{os.getpid()}")
+    if any(place.is_symlink() for place in (Path(folder), target.parent, target)):
+        raise OSError(errno.ELOOP, "a link, which is not followed", str(target))
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         new.write_text(text, "utf-8")
