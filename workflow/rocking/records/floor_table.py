@@ -4,8 +4,8 @@ A table (CSV) has pga_g, ascending by at most a quarter, and file, from the tabl
 without units or captions have them in units, and in columns as "ground floor1 floor2".
 """
 
-import csv
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -15,9 +15,12 @@ from yade_scripts.model.yielding import TabulatedFloors
 
 from .errors import RecordError
 from .floor_file import GROUND, named, read_floor_file
-from .table import ELASTIC
+from .table import ELASTIC, SEPARATED, split_line
+from .text import read_text
 
 WANTED = ("pga_g", "file")
+MOST = 1000  # intensities
+HEAD = 10_000  # characters in which a table says its columns
 OFF = 0.02  # of the stated PGA, by which that of a file's ground may differ
 
 
@@ -63,24 +66,19 @@ def read_floor_table(path, units=None, columns=None, record=None):
 
 def intensities(path):
     """PGA [g], file and cells of every row of a table; RecordError of one line."""
-    try:
-        with open(path, newline="", encoding="utf-8-sig") as handle:
-            rows = list(csv.DictReader(line for line in handle if not line.startswith("#")))
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise RecordError(f"{path}: expected a table of floor motions by PGA: {error}") from None
-    if not rows or any(rows[0].get(name) is None for name in WANTED):
-        raise RecordError(f"{path}: expected columns {', '.join(WANTED)} and a row an intensity")
-    found = []
-    for number, row in enumerate(rows, 1):
+    found, before_g = [], 0.0
+    for number, row in enumerate(_rows(path), 1):
         try:
             pga_g = float(row["pga_g"])
-        except (TypeError, ValueError):
+        except ValueError:
             pga_g = math.nan
-        if not 0.0 < pga_g < math.inf:
+        if not before_g < pga_g < math.inf:
+            expected = f"more than {before_g:g}, the row before" if before_g else "a number > 0 (g)"
             raise RecordError(
-                f"{path}, row {number}: pga_g = {row['pga_g']!r}: expected a number above 0 (g)"
+                f"{path}, row {number}: pga_g = {row['pga_g'][:40]!r}: expected {expected}"
             )
-        found.append((pga_g, Path(path).parent / str(row["file"]), row))
+        before_g = pga_g
+        found.append((pga_g, Path(path).parent / row["file"], row))
     return found
 
 
@@ -88,10 +86,11 @@ def is_table(path):
     """Whether a file begins as a table of floor motions by PGA does, not as floor motions do."""
     try:
         with open(path, encoding="utf-8-sig") as handle:
-            head = next((line for line in handle if not line.startswith("#")), "")
+            lines = handle.read(HEAD).splitlines()
     except (OSError, UnicodeDecodeError):
         return False
-    return "pga_g" in [cell.strip() for cell in head.split(",")]
+    head = next((line for line in lines if line.strip() and not line.startswith("#")), "")
+    return "pga_g" in [cell.strip() for cell in re.split(r"[,;\t]", head)]
 
 
 def floors_named(path):
@@ -142,3 +141,30 @@ def floors_of(row, record):
             f"and {WANTED[1]}, one file an intensity"
         )
     return read_floor_file(path, record=record)
+
+
+def _rows(path):
+    """Rows of the table as dictionaries of text; cells apart as in a records table."""
+    text = read_text(path)
+    lines = [
+        (number, line)
+        for number, line in enumerate(text.lines, 1)
+        if line.strip() and not line.startswith("#")
+    ]
+    header = lines[0][1] if lines else ""
+    separator = next((mark for mark in SEPARATED if mark in header), ",")
+    columns = split_line(text, 1, header, separator)
+    if len(lines) < 2 or not set(WANTED) <= {*columns}:
+        raise RecordError(f"{path}: expected columns {', '.join(WANTED)} and a row an intensity")
+    if len(lines) > MOST:
+        raise RecordError(f"{path}: {len(lines) - 1} rows; expected at most {MOST - 1}")
+    found = []
+    for number, line in lines[1:]:
+        cells = split_line(text, number, line, separator, len(columns))
+        row = dict(zip(columns, cells, strict=False))
+        if len(cells) > len(columns) or not all(row.get(name) for name in WANTED):
+            raise text.error(number, f"{len(cells)} cells; expected {', '.join(columns)}")
+        if separator == ";":  # where commas are for decimals
+            row["pga_g"] = row["pga_g"].replace(",", ".")
+        found.append(row)
+    return found

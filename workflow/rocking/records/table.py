@@ -114,12 +114,12 @@ def read_table(path) -> dict[str, Row]:
         raise RecordError(f"{text.path}: no header line")
     number, header = lines[0]
     separator = next((mark for mark in "\t;," if mark in header), "\t")
-    columns = _cells(text, number, header, separator)
+    columns = split_line(text, number, header, separator)
     _check_columns(text, number, columns)
     rows: dict[str, Row] = {}
     seen: dict[str, int] = {}
     for number, line in lines[1:]:
-        cells = _cells(text, number, line, separator, len(columns))
+        cells = split_line(text, number, line, separator, len(columns))
         if not any(cells):
             continue
         if len(cells) > len(columns) or (len(cells) == 1 and len(columns) > 1 and " " in cells[0]):
@@ -143,7 +143,7 @@ def read_table(path) -> dict[str, Row]:
     return rows
 
 
-def _cells(text, number, line, separator, least=0):
+def split_line(text, number, line, separator, least=0):
     """Cells of a line without the blanks around them; quotation marks count where tabs do not.
 
     Where tabs do not, empty cells at the end are dropped down to `least`: spreadsheets pad rows.
