@@ -1,12 +1,12 @@
 """All checks of one façade under one demand, and which mechanism of it they are applied to."""
 
 import numpy as np
-from rocking.mechanics.rocking_block import overturning_pga
 from rocking.records import integrate
 
 from studies.assess import checks
 from studies.assess.demand import RecordDemand, floor_demand
 from studies.assess.family import Family
+from studies.assess.rocking_block import overturning_pga
 from studies.assess.slv import Slv, read_as
 from yade_scripts.model.motion import SIGNS
 

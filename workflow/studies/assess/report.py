@@ -7,6 +7,7 @@ from rocking.formula import words
 from studies.assess import (
     advice,
     appendix,
+    building_first,
     content,
     drawings,
     evidence,
@@ -76,9 +77,10 @@ def answers(data):
         "ties": ties_said.answer(data),
         "far": capacity_said(data),
         "often": rate_said(data),
+        "first": building_first.said(data),
         "not_covered": say("page.not_covered") + left,
     }
-    return [(say(f"page.ask.{key}"), text) for key, text in found.items()]
+    return [(say(f"page.ask.{key}"), text) for key, text in found.items() if text]
 
 
 def who(data):

@@ -5,9 +5,9 @@ from rocking.stations import FEWEST
 from studies.assess import names
 from studies.assess.catalogue import SAY
 from studies.assess.dynamic_check import LEAST_DRAWS, surely
+from studies.assess.inputs import GOVERNS
 from studies.assess.shaken import CORNER
 
-GOVERNS = "W2m"  # the model that the rate rests on, where it is among a run's
 ROUNDED = 1e-4  # relative; tables have six figures
 SURE = 0.005  # of a probability that rounds to 0 or 100 %
 HELD, LOST, DOUBT = "held", "lost", "doubt"  # of a dynamic check
