@@ -15,6 +15,7 @@ from studies.assess.sites import site_of
 from studies.assess.slv import readings
 from studies.assess.sources import FORMULAS
 from studies.assess.values import DEFAULT, values
+from yade_scripts.model.facades import Facade
 
 STEPS = {  # of a check, by their symbols: keys of `hand.demand`
     "T_SLV": "t_slv",
@@ -42,6 +43,7 @@ class Data:
     folder: str  # where the tables are, for the sources
     say: Catalogue = field(init=False)
     names: dict = field(init=False)  # of mechanisms, by part
+    facade: Facade = field(init=False)
     family: Family = field(init=False)
     weakest: Candidate = field(init=False)  # fails first by hand
     demand_g: float = field(init=False)  # PGA
@@ -56,6 +58,7 @@ class Data:
         stated = verdict.as_stated(t["mechanisms"])
         self.names = {row.part: names.name(row, self.say) for row in stated.itertuples()}
         self.config = completed_settings(self.config)
+        self.facade = Facade.of(self.config["facade"])
         self.family = Family(self.config)
         self.weakest = self.candidate(next(stated.itertuples()))
         self.demand_g = t["code_checks"]["pga_demand_g"].iloc[0]

@@ -247,7 +247,7 @@ def rate(data):
     )
     first = next(rates.itertuples())
     ends = {"first_g": first.pga_first_g, "last_g": first.pga_last_g}
-    wall = walls.named(data.config["facade"], say)
+    wall = walls.named(data.facade, say)
     lines = [say("table.rate.line", hazard=first.hazard, **ends, wall=wall)]
     return {"lines": lines, "tables": [table]}
 

@@ -32,7 +32,7 @@ def context(data, digest):
     about = {
         "when": verdict.when(own, say),
         "factor": data.factor,
-        "wall": walls.named(data.config["facade"], say),
+        "wall": walls.named(data.facade, say),
     }
     motions, motions_said = appendix.motions(data)
     return {
@@ -94,9 +94,9 @@ def who(data):
 
 def drawing(data):
     """Picture of elevation and section with all measures."""
-    say, facade = data.say, data.config["facade"]
+    say, facade = data.say, data.facade
     marks = {(True, True): "both", (True, False): "ties", (False, True): "floors"}
-    key = marks.get((bool(facade["ties"]), bool(facade["floors"])), "plain")
+    key = marks.get((bool(facade.ties), bool(facade.floors)), "plain")
     return Picture(
         partial(drawings.facade, say, data.family, data.weakest, (WIDE_MM, HIGH_MM)),
         drawings.height_mm(data.family, WIDE_MM, HIGH_MM),
@@ -179,14 +179,14 @@ def friction_said(data):
 
 def rests_on(data):
     """Lines: demand, models, and what is left out."""
-    f, t, say = data.config["facade"], data.tables, data.say
-    courses, models = f["courses"], list(t["dynamic"]["model"])
+    t, say = data.tables, data.say
+    courses, models = data.facade.courses, list(t["dynamic"]["model"])
     each = [say("page.rests.model", model=name, moves=moved(name, models, say)) for name in models]
     if len(models) > 1:
         moving = say("page.rests.models_worst", each="; ".join(each), model=data.relied)
     else:
         moving = say("page.rests.models", each="; ".join(each))
-    floors = floors_said(f["floors"], data.config["assessment"]["floor_friction"], say)
+    floors = floors_said(data.facade.floors, data.config["assessment"]["floor_friction"], say)
     if courses:
         shaken = say("page.rests.shaken_courses", courses=courses, floors=floors)
     else:
@@ -195,7 +195,7 @@ def rests_on(data):
     return [
         say("page.rests.demand", demand=data.demand_said, pga_g=data.demand_g),
         moving,
-        say(f"page.rests.{'courses' if courses else 'blocks'}", density=f["density_kg_m3"]),
+        say(f"page.rests.{'courses' if courses else 'blocks'}", density=data.facade.density_kg_m3),
         say("page.rests.width"),
         shaken,
         say("page.rests.read"),
@@ -208,7 +208,7 @@ def rests_on(data):
 
 def floors_said(floors, counts, say):
     """End of the sentence on the dynamic models: what their floors hold by, if friction counts."""
-    rubbing = sorted({row["friction"] for row in floors if row["load_kn"] and row["friction"]})
+    rubbing = sorted({row.friction for row in floors if row.load_kn and row.friction})
     if not rubbing:
         return say("page.rests.floors_none")
     friction = say.all_of(say.number(mu, "g") for mu in rubbing)
@@ -225,7 +225,10 @@ def early_said(mechanisms, say):
 def beta_said(data):
     """Line on a damping law outside of what it was fitted to, with what β does to the answer."""
     say = data.say
-    beyond = say.all_of(say(f"page.rests.{key}", **v) for key, v in walls.beyond_law(data.config))
+    beyond = say.all_of(
+        say(f"page.rests.{key}", **v)
+        for key, v in walls.beyond_law(data.facade, data.config["damping"]["law"])
+    )
     if not beyond:
         return []
     each = [

@@ -22,6 +22,7 @@ from studies.assess.catalogue import SAY
 from studies.assess.dynamic_check import Limits, limits_of
 from studies.assess.inputs import SETTLED
 from studies.assess.sites import EXTENT, WHOLE_PART
+from yade_scripts.model.facades import Facade
 
 COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "side", "pga_fails_g"]
 COLUMNS += [*EXTENT, "at_foot", "d0_m", "d_slv_m", "d_slc_m", "shaken", "why_not", "why_words"]
@@ -72,7 +73,7 @@ def settled_by(settings):
 
 def rubs(facade):
     """Whether floors of a section facade hold it by friction."""
-    return any(row["friction"] and row["load_kn"] for row in facade["floors"])
+    return any(row.friction and row.load_kn for row in Facade.of(facade).floors)
 
 
 def told(why, pga_g):

@@ -59,7 +59,7 @@ def _none(data, beyond):
     if len(beyond):
         left = say.all_of(name for name, _ in together(beyond, say))
         return say("ties.none.beyond", names=left)
-    besides = "_besides" if data.config["facade"]["ties"] else ""
+    besides = "_besides" if data.facade.ties else ""
     if not len(data.tables["ties_tried"]):
         return say(f"ties.none.by_hand{besides}")
     return say(f"ties.none.needed{besides}", model=data.relied)

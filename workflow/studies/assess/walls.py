@@ -3,6 +3,7 @@
 from rocking.mechanics.beta import EQ5_MODULUS_MPA, EQ5_THICKNESS_M
 
 from studies.assess.catalogue import SAY
+from yade_scripts.model.facades import STUDY
 
 BLOCK_WALL, COURSES_WALL = "one rigid block on E/h", "four elastic courses"  # in tables
 WALL = {True: BLOCK_WALL, False: COURSES_WALL}  # the other wall, by whether it has courses
@@ -11,29 +12,29 @@ BETA = "beta_s"  # key of the sensitivity to contact damping
 
 
 def named(facade, say=SAY):
-    """The wall in words, to end a sentence that begins with the façade."""
-    if facade["courses"]:
-        return say("verdict.wall.courses", courses=facade["courses"])
-    if facade["base_stiffness_pa_m"] is not None:
+    """The wall of a `Facade` in words, to end a sentence that begins with the façade."""
+    if facade.courses:
+        return say("verdict.wall.courses", courses=facade.courses)
+    if facade.base_stiffness_pa_m is not None:
         return say("verdict.wall.stated")
-    if facade["base"] == "study":
+    if facade.base == STUDY:
         return say("verdict.wall.even")
-    return say("verdict.wall.edges", base=facade["base"])
+    return say("verdict.wall.edges", base=facade.base)
 
 
-def beyond_law(config):
-    """What of a façade lies outside of what eq. 5 was fitted to: keys of the page, and values."""
-    if config["damping"]["law"] != "eq5":
+def beyond_law(facade, law):
+    """What of a `Facade` lies outside of what eq. 5 was fitted to: keys of the page, and values."""
+    if law != "eq5":
         return []
-    facade, found = config["facade"], []
-    thick, stiff = facade["thickness_m"], facade["e_mpa"]
-    for key, name, value, (low, high) in (
-        ("beyond_thick", "thickness_m", thick, EQ5_THICKNESS_M),
-        ("beyond_stiff", "e_mpa", stiff, EQ5_MODULUS_MPA),
-    ):
-        if not low <= value <= high:
-            found.append((key, {name: value, "low": low, "high": high}))
-    return found
+    every = (
+        ("beyond_thick", "thickness_m", EQ5_THICKNESS_M),
+        ("beyond_stiff", "e_mpa", EQ5_MODULUS_MPA),
+    )
+    return [
+        (key, {name: value, "low": low, "high": high})
+        for key, name, (low, high) in every
+        if not low <= (value := getattr(facade, name)) <= high
+    ]
 
 
 def ranges_of(sensitivity, key):

@@ -9,6 +9,8 @@ from studies.assess import report
 from studies.assess.catalogue import SAY
 from study_cases import study_case, study_settings
 
+from yade_scripts.model.facades import Facade
+
 PARTS = ("whole", "above_2.000")
 
 
@@ -26,6 +28,7 @@ def test_the_report_names_a_median_far_from_the_formula_once():
     }
     data = SimpleNamespace(
         config=own,
+        facade=Facade.of(own["facade"]),
         tables=tables,
         demand_said="stated",
         demand_g=0.3,

@@ -50,8 +50,8 @@ def data(forces, mechanisms=(), alone=(), tried=True, levels=None, holds=1):
         "ties_models": pd.DataFrame(alone, columns=ties_tables.MODELS),
         "ties_tried": pd.DataFrame({"holds": [1]} if tried else {"holds": []}),
     }
-    config = {"assessment": {"tie_levels_m": levels}, "facade": {"ties": []}}
-    return SimpleNamespace(tables=tables, config=config, relied="W2m", say=SAY)
+    config, facade = {"assessment": {"tie_levels_m": levels}}, SimpleNamespace(ties=())
+    return SimpleNamespace(tables=tables, config=config, facade=facade, relied="W2m", say=SAY)
 
 
 WHOLE = ({"part": "whole"}, "", 0)
@@ -142,6 +142,6 @@ def test_a_row_is_asked_for_by_hand_or_by_a_mechanism_under_a_model():
 
 def test_rows_that_are_there_are_not_said_to_be_needless():
     given = data([])
-    given.config["facade"]["ties"] = [{"height_m": 3.0}]
+    given.facade.ties = (3.0,)
     said = "None besides those that are there are needed for this demand with W2m."
     assert ties_said.answer(given) == said

@@ -1,5 +1,7 @@
 """What the report says first, of tables whose verdict is plain to see."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -23,7 +25,7 @@ CHECKS = pd.DataFrame({"check": ["linear_ground"], "pga_demand_g": [0.2], "ratio
 SHAKEN = pd.DataFrame({"part": ["whole"], "mechanism": [WHOLE], "shaken": [1], "why_not": [""]})
 NOWHERE = {key: np.nan for key in (*PLACES, "middle_m")} | {"foot_m": 0.0, "side": 0}
 SHAKEN = SHAKEN.assign(**NOWHERE, at_foot="base", pga_fails_g=0.25)
-FACADE = {"courses": 4, "base": "study", "base_stiffness_pa_m": None}
+FACADE = SimpleNamespace(courses=4, base="study", base_stiffness_pa_m=None)
 ABOUT = {"when": "In 475 years", "factor": 1.35, "wall": named(FACADE)}
 BENT = {"foot_m": 0.0, "held_m": 3.5, "hinge_m": 2.0}
 CORNER = {"foot_m": 0.0, "side": -1}
@@ -220,7 +222,9 @@ def test_page_1_names_the_wall_and_what_was_not_shaken_with_the_reason():
     given = tables(verdicts(True), pd.concat([SHAKEN, left], ignore_index=True), whole=0.25)
     said = headline(given, ABOUT)
     assert said[0].endswith("The wall that is shaken is an elastic wall in 4 courses.")
-    block = headline(given, {**ABOUT, "wall": named({**FACADE, "courses": 0})})[0]
+    block = headline(
+        given, {**ABOUT, "wall": named(SimpleNamespace(**{**vars(FACADE), "courses": 0}))}
+    )[0]
     assert block.endswith("is one rigid block on even springs of E/h.")
     assert said[2].endswith(
         "Not shaken, judged by hand alone: the left corner above 5.00 m (0.31 g), not over the "
