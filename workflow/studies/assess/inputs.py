@@ -4,7 +4,7 @@ import json
 from collections.abc import Mapping
 from importlib.util import find_spec
 
-from rocking.configuration.config import relevant
+from rocking.configuration.config import Settings
 from rocking.configuration.differences import flat
 from rocking.risk.hazard import read_hazard
 
@@ -144,7 +144,8 @@ def without_words(text):
     """`Settings` with section assessment, without its keys in `WORDS`."""
     parts = json.loads(text)
     own = {key: value for key, value in parts["assessment"].items() if key not in WORDS}
-    return relevant(parts | {"assessment": own}, *parts)
+    kept = parts | {"assessment": own}
+    return Settings(json.dumps(kept, sort_keys=True, separators=(",", ":"), ensure_ascii=False))
 
 
 def every_value(settings):
