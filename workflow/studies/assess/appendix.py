@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from studies.assess import byhand, names, verdict
 from studies.assess.anchors import completed_settings
 from studies.assess.catalogue import NOTHING, Catalogue, catalogue
-from studies.assess.checks import confidence
+from studies.assess.checks import LIMITS, confidence
 from studies.assess.demand import eta, floor_demand
 from studies.assess.family import Candidate, Family
 from studies.assess.national import spectrum_of, stated_row
@@ -17,12 +17,12 @@ from studies.assess.sources import FORMULAS
 from studies.assess.values import DEFAULT, values
 from yade_scripts.model.facades import Facade
 
-STEPS = {  # of a check, by their symbols: keys of `hand.demand`
-    "T_SLV": "t_slv",
-    "T_max": "t_max",
-    "S_De": "s_de",
-    "a_g,SLD": "ag_sld",
-    "a_g,SLV": "ag_slv",
+STEPS = {  # of a check, by their symbols: keys of `step`, and of the formulas behind
+    "T_SLV": ("secant", ("secant_slv",)),
+    "T_max": ("period_largest", ()),
+    "S_De": ("needed", ("largest", "at_height")),
+    "a_g,SLD": ("pga_onset_least", ("onset",)),
+    "a_g,SLV": ("pga_fails", ()),
 }
 
 
@@ -221,14 +221,17 @@ def _demand_of(data, candidate):
     say, rows = data.say, []
     for place, steps in _checked(data, candidate):
         word = say(f"hand.demand.place.{place}")
-        for symbol, key in STEPS.items():
-            step, about = steps.loc[symbol], {}
-            if symbol == "S_De":
-                key = f"{key}_{place}"
-                about = {"place": candidate.place}
+        about = {"ground": {}, "floor": {"place": candidate.place}}[place]
+        where = say(f"step.where.{place}", **about)
+        for symbol, (key, formulas) in STEPS.items():
+            given = {"secant": {"factor": LIMITS["SLV"][1]}, "needed": {"where": where}}
+            how = say(f"step.{key}", **given.get(key, {}))
+            if formulas:
+                numbers = ", ".join(say(f"formula.{name}.number") for name in formulas)
+                how = say("hand.demand.cited", how=how, numbers=numbers)
+            step = steps.loc[symbol]
             value = f"{say.number(step['value'], '.4g')} {step['unit']}"
-            told = say("hand.demand.symbol", symbol=symbol, place=word)
-            rows.append((told, say(f"hand.demand.{key}", **about), value))
+            rows.append((say("hand.demand.symbol", symbol=symbol, place=word), how, value))
     return rows
 
 

@@ -20,7 +20,7 @@ ENGLISH_WORDS = set(
     less only other others under over through as if wall floor floors tie ties rod rods joint hinge
     part corner mechanism mechanisms façade shaken demand capacity check checks held holds fails
     passes weakest motion motions station stations never median mean period ground building return
-    walls those""".split()  # noqa: SIM905
+    walls those factor factors displacement coefficient mass onset velocity""".split()  # noqa: SIM905
 )
 NAMES = re.compile(
     r"[a-z_]+\.[a-z_.]+|[a-z]+_[a-z_]+|[A-Za-z_*]+\.(csv|yaml|md)|sha256sum|SHA256SUMS|commit|α|β"
