@@ -112,8 +112,9 @@ def _parts(rows, total, whole, say):
 
 
 def _with(value, unit, say):
-    """A value with its unit, four figures; a mass in whole kilograms."""
-    return f"{say.number(value, ',.0f' if unit == 'kg' else '.4g')} {unit}".strip()
+    """A value with its unit, four figures; a mass of tonnes in whole kilograms."""
+    whole = unit == "kg" and value >= 1e3
+    return f"{say.number(value, ',.0f' if whole else '.4g')} {unit}".strip()
 
 
 def _holds(rows, say):
