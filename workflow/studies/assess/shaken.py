@@ -18,11 +18,11 @@ from rocking.configuration.facade import TooStockyError
 from rocking.tables import read_frame
 
 from studies.assess.anchors import completed
-from studies.assess.dynamic_check import Limits, limits_of
+from studies.assess.dynamic_check import Limits, limits_with
 from studies.assess.sites import EXTENT, WHOLE_PART
 
 COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "side", "pga_fails_g"]
-COLUMNS += [*EXTENT, "d0_m", "d_slv_m", "d_slc_m", "shaken", "why_not", "why_words"]
+COLUMNS += [*EXTENT, "d0_m", "d_slv_m", "d_slc_m", "d_slv_bare_m", "shaken", "why_not", "why_words"]
 SETTLED = (  # keys that say what holds a façade while it is shaken
     *("floor_friction", "anchor_plate_m", "masonry_shear_mpa", "masonry_compression_mpa"),
     "confidence_factor",
@@ -113,7 +113,7 @@ def chosen(ranked, tried, demand_g, within):
         why = why_not(one, pga_g, within * demand_g, tried)
         about = label(one), one.name, *heights(one), one.side, pga_g
         about = *about, *(getattr(one, key) for key in EXTENT)
-        rows.append((*about, *limits_of(one.mechanism), int(not why[0]), *why))
+        rows.append((*about, *limits_with(one), int(not why[0]), *why))
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
@@ -139,4 +139,7 @@ def cases_of(case, path=None):
 
 def limits_by_part(table):
     """`Limits` by part of a table of `chosen`."""
-    return {row.part: Limits(row.d0_m, row.d_slv_m, row.d_slc_m) for row in table.itertuples()}
+    return {
+        row.part: Limits(row.d0_m, row.d_slv_m, row.d_slc_m, row.d_slv_bare_m)
+        for row in table.itertuples()
+    }
