@@ -1,8 +1,7 @@
 # The answer of codes of practice compared with the dynamic one: a report for one façade. Over many façades:
 # code_against_dynamics.smk.
 from studies.assess import inputs as assessed
-from studies.assess.shaken import SETTLED
-from studies.assess.verdict import GOVERNS
+from studies.assess.inputs import GOVERNS, SETTLED
 from rocking.stations import turns
 
 COMMIT = version.commit(40) or "none"
@@ -158,6 +157,7 @@ rule assess_dynamic:
         rates=results("assessment/rate.csv"),
         parts=results("assessment/parts_dynamic.csv"),
         left_out=results("assessment/rate_left_out.csv"),
+        first=results("assessment/building_first.csv"),
     benchmark:
         benchmarks("assess_dynamic")
     params:
@@ -272,6 +272,7 @@ rule assess_ties:
         models=results("assessment/ties_models.csv"),
         after=results("assessment/ties_mechanisms.csv"),
         tried=results("assessment/ties_tried.csv"),
+        share=results("assessment/ties_share.csv"),
         yaml=results("assessment/ties.yaml"),
     benchmark:
         benchmarks("assess_ties")
@@ -390,4 +391,3 @@ rule assess:
 
 
 include: "code_against_dynamics.smk"
-include: "strengthening.smk"
