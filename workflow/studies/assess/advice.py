@@ -40,8 +40,9 @@ def damage(sensitivity, mechanisms, demand_g):
 def thinner_is_better(sensitivity):
     """A line where the check allows a thinner wall more than the next thicker one; else nothing.
 
-    Of the sensitivity's factors in turn the two between which it falls most. d_SLV = 0.4 d0 grows with the thickness, and so passes the displacement up to which a tie or an
-    anchor holds: there the curve has lost it.
+    Of the sensitivity's factors in turn the two between which it falls most. d_SLV = 0.4 d0 grows
+    with the thickness, and so passes the displacement up to which a tie or an anchor holds: there
+    the curve has lost it.
     """
     slv = sensitivity["check"].isin(("slv_ground", "slv_height"))
     rows = sensitivity[slv & (sensitivity["key"] == "facade.thickness_m")]
