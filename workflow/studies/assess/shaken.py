@@ -2,15 +2,18 @@
 
 The whole façade, and every other plane mechanism that fails by hand below
 `assessment.shaken_within` times the demand's PGA: what is near the demand, whatever the weakest
-does. Corners do not turn over the whole width, and parts that are too stocky to rock slide first:
-they are judged by hand alone, and the reason is said. The whole façade, one mechanism above a cut,
-and a span of it are all cases (`Case.part`).
+does. So is one with a tie or an anchor that gives way early, which sets its d_SLV: the millimetres
+up to there are elastic sway, of which no check by hand tells. Corners do not turn over the whole
+width, and parts that are too stocky to rock slide first: they are judged by hand alone, and the
+reason is said. The whole façade, one mechanism above a cut, and a span of it are all cases
+(`Case.part`).
 
 By default no friction of floors holds the façade while it is shaken (`settled`): by hand it is left
 out too, since nobody has verified that it lasts until collapse.
 """
 
 import copy
+import math
 
 import pandas as pd
 from rocking.collapse.case import Case
@@ -87,7 +90,7 @@ def why_not(one, pga_g, least_g, tried):
     if not one.plane:
         why = CORNER if one.side else NARROW
         return why, WORDS[why]
-    if not one.whole and pga_g > least_g:
+    if not one.whole and pga_g > least_g and math.isnan(limits_with(one).bare_m):
         return FAR, f"fails by hand at {pga_g:.3g} g"
     try:
         for case in tried:
@@ -103,7 +106,8 @@ def chosen(ranked, tried, demand_g, within):
     """Which mechanisms are shaken, and why the others are not: COLUMNS, in the order of `ranked`.
 
     One of `code_checks.governing` is shaken where it fails by hand below `within` times the
-    demand's PGA and is a case of each of `tried`, one of each model.
+    demand's PGA, or has a link that gives way early, and is a case of each of `tried`, one of each
+    model.
     """
     rows = []
     for pga_g, one, _ in ranked:
