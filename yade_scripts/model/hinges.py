@@ -24,7 +24,7 @@ def hinge_stiffness(e_mpa, shape):
 
 def pieces(facade, shape, whole):
     """Blocks of the pieces from the lowest up, at rest on each other as the whole on its base."""
-    sunk, found = -whole.displacement_m[2], []
+    sunk, blocks = -whole.displacement_m[2], []
     joints = [shape.joint_at(z) for z in shape.hinges_m]
     areas = np.array([(y1 - y0) * (shape.width_m - lost) for y0, y1, lost in joints])
     settling = [0.0, *(1.0 / (areas * hinge_stiffness(facade.e_mpa, shape)))]
@@ -33,7 +33,7 @@ def pieces(facade, shape, whole):
         rows = [row for row in facade.floors if shape.piece_at(row.height_m) >= k]
         above = GRAVITY_M_S2 * sum(part[0] for part in parts[k:])
         sunk += settling[k] * sum([above, *(row.load_n for row in rows)])
-        found.append(
+        blocks.append(
             replace(
                 whole,
                 name=f"{whole.name} {k + 1}",
@@ -46,4 +46,4 @@ def pieces(facade, shape, whole):
                 lever_m=None,
             )
         )
-    return found
+    return blocks
