@@ -252,7 +252,7 @@ def test_targets_in_commands_of_the_pages_stand_behind_two_dashes():
 
 
 def test_an_interrupted_run_says_what_is_kept(tmp_path):
-    words = ["--config", "run=stopped", "records=RRS228", "models=W1", "directions=pos"]
+    words = ["--config", "run=stopped", "records=GMN_NS", "models=W1", "directions=pos"]
     run = subprocess.Popen(
         [*COMMAND, *words],
         cwd=tmp_path,

@@ -21,6 +21,7 @@ from rocking.collapse.case import SECTIONS
 from rocking.configuration import config as configuration
 from rocking.configuration import unlikely
 from rocking.configuration.chosen import chosen
+from rocking.configuration.words import in_a_line
 from rocking.records.intensity_measures import MEASURES
 from rocking.records import RecordError, read_table
 from rocking.records.check import check_runs, reach_g
@@ -92,6 +93,9 @@ if workflow.is_main_process and "check" not in sys.argv:  # that target says so 
     terminal.warn([str(f) for f in FINDINGS if f.status == "warning"])
 if workflow.is_main_process:
     terminal.warn(unlikely.lines(RUNS.settings))
+    said = progress.planning(sum(len(RUNS.curves(run)) for run in RUNS.settings))
+    if said and "check" not in sys.argv:
+        print(said, file=sys.stderr, flush=True)
 
 SHARED = RUNS.shared
 
@@ -101,7 +105,7 @@ def stamped(path):
     try:
         return str(stamps.stamp(path))
     except OSError as error:
-        stop(error)
+        stop(f"{error.filename}: {error.strerror}: expected a file or none; move away what is there")
 
 
 def code(script, study=None):
@@ -194,6 +198,8 @@ localrules:
     records_table,
     floor_motions,
     ida_collapse,
+    table_answer,
+    answer,
     records_check,
     report_summary,
     report_table,
@@ -208,6 +214,16 @@ localrules:
     own_figure,
     shared_files,
     fig09_ida,
+
+
+def say_answers(tables):
+    """Print what the first few runs answer."""
+    from rocking.collapse import answer  # slow to load
+    from rocking.tables import read_frame
+
+    for path in list(filter(Path.is_file, tables))[:4]:
+        said = answer.lines(read_frame(path))
+        print("\n".join([f"{path.parts[-3]}: {said[0]}", *said[1:]]), file=sys.stderr)
 
 
 def lock(dag):
@@ -255,7 +271,8 @@ onstart:
             terminal.warn(filter(None, earlier))
             for name, resolved in RUNS.settings.items():
                 file_times.settle(f"{RESULTS}/{name}")
-                choices = [f"By {BY}.", *chosen(resolved, FIDELITY_FILE, LAW_FILE)]
+                found = chosen(resolved, FIDELITY_FILE, LAW_FILE, RUNS.stated[name])
+                choices = [f"By {BY}.", *found]
                 configuration.write_resolved(resolved, f"{RESULTS}/{name}/config.yaml", choices)
         except (run_lock.Busy, ValueError, OSError) as error:
             stop(error)
@@ -278,6 +295,9 @@ onstart:
 
 
 onsuccess:
+    with left_out_if_unknown("the answer in a few lines"):
+        if any(job.rule.name == "table_answer" for job in workflow.dag.jobs):
+            say_answers([Path(RESULTS) / run / "tables" / "answer.csv" for run in RUNS.settings])
     folders = ", ".join(f"{RESULTS}/{run}" for run in RUNS.settings)
     print(f"done: results in {folders}", file=sys.stderr)
 

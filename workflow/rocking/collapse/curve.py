@@ -213,8 +213,8 @@ def collapse_curves(
             raise ValueError(f"settings: {len(several)} given, expected one, or {len(shaken)}")
     outcomes = [run_by("planar", case, *one, **options) for one in shaken]
     given = [_settings(case, own, search) for own in several]
-    for (motion, _), own in zip(shaken, given, strict=True):
-        within_table(motion, own)
+    for (motion, _), one, own in zip(shaken, outcomes, given, strict=True):
+        within_table(motion, one.columns, own)
     searches = [
         (one, strategy(search, case, one, own)) for one, own in zip(outcomes, given, strict=True)
     ]

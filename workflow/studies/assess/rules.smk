@@ -157,6 +157,7 @@ rule assess_dynamic:
         rates=results("assessment/rate.csv"),
         parts=results("assessment/parts_dynamic.csv"),
         left_out=results("assessment/rate_left_out.csv"),
+        first=results("assessment/building_first.csv"),
     benchmark:
         benchmarks("assess_dynamic")
     params:

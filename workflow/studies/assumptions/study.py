@@ -19,6 +19,8 @@ CAPACITY = [f"pga_{name}_g" for name in MEASURES]
 SIDE = (*MEASURES, "mean")  # of models side by side, whose whole curve is known
 KEY = ["record", "direction"]
 BASE = "as configured"
+# of two-storey masonry, and a building that does not yield
+STRENGTHS = {"V/W 0.10": 0.10, "V/W 0.20": 0.20, "V/W 0.30": 0.30, "elastic": None}
 SPREAD = {"curves": "n_known", "low": 10, "median": 50, "high": 90}
 SPREAD |= {"share_unsafe": lambda found: found.share(low=1.0)}
 
@@ -32,9 +34,12 @@ def variants(case, stage, surrogate=None):
     """
     wall, bricks = case["return_wall"], not case.kind.single_block
     length = wall["length_m"] or 0.5 * case["facade"]["height_m"]
+    strength = case["smdof"]["base_shear_ratio"]
 
     def two_way(mass_kg):
-        return {"model": case.kind.two_way_model, "return_wall.building_mass_kg": mass_kg}
+        found = {"model": case.kind.two_way_model, "return_wall.building_mass_kg": mass_kg}
+        # bricks that carry the masses have an elastic building alone
+        return found | ({"smdof.base_shear_ratio": None} if bricks else {})
 
     def friction(degrees):
         sections = ("facade", "return_wall", *(["w3"] if bricks else []))
@@ -72,6 +77,11 @@ def variants(case, stage, surrogate=None):
         ("law of β", "eq. 5", {"damping.law": "eq5"}),
         ("law of β", "fitted", {"damping.law": "fitted"}),
         *_periods(stage),
+        *(
+            ("building's strength", named, {"smdof.base_shear_ratio": ratio})
+            for named, ratio in STRENGTHS.items()
+            if ratio != strength
+        ),
         ("building's damping", "2 %", {"smdof.damping_ratio": 0.02}),
         ("building's damping", "10 %", {"smdof.damping_ratio": 0.10}),
         ("width", "6 m", {"facade.width_m": 6.0}),

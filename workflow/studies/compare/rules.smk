@@ -23,10 +23,14 @@ def compared_tables(wildcards):
     for run in compared():
         path = Path(collapse_of(run))
         resolved = Path(RESOLVED.format(run=run))
-        if run not in RUNS.settings and not (path.is_file() and resolved.is_file()):
-            there = sorted(p.parents[1].name for p in Path().glob(collapse_of("*")))
+        missing = [one for one in (path, resolved) if not one.is_file()]
+        if run not in RUNS.settings and missing:
+            tables = Path().glob(collapse_of("*"))
+            names = sorted(p.parents[1].name for p in tables if p.is_file())
+            there = [name for name in names if Path(RESOLVED.format(run=name)).is_file()]
             stop(
-                f"compare: no finished run '{run}' ({path}); there are {', '.join(there) or 'none'}"
+                f"compare: no finished run '{run}' (no file {missing[0]}); "
+                f"there are {', '.join(there) or 'none'}"
             )
         if run not in RUNS.settings and (gone := finished.models_gone(path)):
             stop(f"compare: {gone}")

@@ -8,6 +8,8 @@ MUCH = 0.1  # share of the rate from beyond the hazard table, or from above all 
 COLUMNS = ["model", "im", "median", "dispersion", "annual_rate", "rate_low", "rate_high"]
 COLUMNS += ["years", "probability", "probability_low", "probability_high"]
 COLUMNS += ["outside_share", "n_records", "n_stations", "rate_lognormal", "remark"]
+BUILDING = ["building_rate", "building_low", "building_high", "building_probability"]
+BUILDING += ["share_before_building"]  # of the façade's rate; beyond it the building is down
 PARTS = ["model", "im", "intensity_low", "intensity_high", "annual_rate"]
 PARTS += ["share", "share_low", "share_high"]
 
@@ -55,6 +57,38 @@ def risk_of(model, curves, stations_of, brackets, hazard, risk, settings):
     lower, upper = stations.interval(shares, many[1], confidence)
     bins = zip(edges[:-1], edges[1:], by_bin, by_bin / rate, lower, upper, strict=True)
     return row, [(model, hazard.measure, *values) for values in bins]
+
+
+def beside_building(curves, stations_of, hazard, risk, settings):
+    """What a building that yields does in a year, beside the façade: columns BUILDING of a row.
+
+    Its rate is the mean over the curves of ∫ P_b |dλ|, with P_b the probability that a storey has
+    come to its drift; above the largest intensity that was run P_b stays what it is there.
+    `share_before_building` is ∫ P (1 − P_b) |dλ| over ∫ P |dλ|: how much of the façade's rate is of
+    a façade whose building stands.
+
+    `curves` (`fragility_tables.building_shares`) have intensity, P and P_b by model, record and
+    direction; others are as of `risk_of`. Nothing without curves.
+    """
+    if not curves:
+        return {}
+    edges = np.array([0.0, np.inf])
+    places = [stations_of[key[1]] for key in curves]
+    rate, falls, before = (
+        np.array([rates.of_curve(hazard, x, p, edges).sum() for x, p in some])
+        for some in (
+            [(x, down) for x, _, down in curves.values()],
+            [(x, fell) for x, fell, _ in curves.values()],
+            [(x, fell * (1.0 - down)) for x, fell, down in curves.values()],
+        )
+    )
+    counts = stations.resampled(places, settings["resamples"], settings["seed"])
+    drawn = counts @ rate / counts.sum(axis=1)
+    low, high = stations.interval(drawn, len(set(places)), settings["confidence"])
+    whole = falls.sum()
+    share = before.sum() / whole if whole > 0.0 else np.nan
+    within = float(rates.probability_within(rate.mean(), risk["years"]))
+    return dict(zip(BUILDING, (rate.mean(), low, high, within, share), strict=True))
 
 
 def above(curves, hazard):

@@ -60,6 +60,21 @@ def shares(curves, dense, per_pga):
     return {key: (factor * x, share) for key, (factor, x, share) in found.items() if x.size}
 
 
+def building_shares(curves, dense, per_pga):
+    """Of every curve before a building that yields: intensity, share that falls, share of it down.
+
+    By key; without curves whose building stays elastic or was not followed.
+    """
+    found = {}
+    for key, table, row in by_curve(curves, dense):
+        known = table[table["probability_building"].notna()]
+        if len(known):
+            x, fell = probability.dense_share(known, row)
+            down = np.interp(x, known["pga_g"], known["probability_building"])
+            found[key] = per_pga[row["record"]] * x, fell, down
+    return found
+
+
 def share_at(of_curves, intensity):
     """Share of curves (`shares`) that fall at intensities (n,), each by its own probability there.
 

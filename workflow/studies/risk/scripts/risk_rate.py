@@ -1,13 +1,13 @@
 """Annual rate of collapse of every model at a site, its probability in time, and by intensity.
 
-Writes tables/risk.csv and risk/deaggregation.csv.
+Of a building that yields also its own rate. Writes tables/risk.csv and risk/deaggregation.csv.
 """
 
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
 from rocking.tables import read_frame, write_table
-from studies.risk.collapse import COLUMNS, PARTS, risk_of
-from studies.risk.fragility_tables import SHARE, shares
+from studies.risk.collapse import BUILDING, COLUMNS, PARTS, beside_building, risk_of
+from studies.risk.fragility_tables import SHARE, building_shares, shares
 
 
 def main(job):
@@ -23,9 +23,10 @@ def main(job):
         curves = shares(own, dense, known["per_pga"])
         mine = brackets[brackets["model"] == model]
         row, bins = risk_of(model, curves, known["station"], mine, hazard, risk, settings)
-        rows.append(row)
+        built = building_shares(own, dense, known["per_pga"])
+        rows.append(row | beside_building(built, known["station"], hazard, risk, settings))
         parts += bins
-    write_table(rows, job.output.table, COLUMNS)
+    write_table(rows, job.output.table, [*COLUMNS, *BUILDING])
     write_table(parts, job.output.deaggregation, PARTS)
 
 

@@ -7,7 +7,8 @@ from rocking.risk import rates
 from rocking.risk.fragility import MIN_DISPERSION, Bootstrap, Fragility, fit
 from rocking.risk.hazard import Hazard, HazardError, read_hazard
 from scipy.special import ndtri
-from studies.risk.collapse import COLUMNS, PARTS, risk_of
+from studies.risk.collapse import BUILDING, COLUMNS, PARTS, beside_building, risk_of
+from studies.risk.fragility_tables import building_shares
 
 LAW = Hazard("pga_g", np.array([0.1, 0.2, 0.4]), 1e-3 * np.array([0.1, 0.2, 0.4]) ** -2.0)
 SETTINGS = {"confidence": 0.9, "resamples": 200, "seed": 1, "min_stations": 12}
@@ -99,3 +100,39 @@ def test_brackets_that_meet_in_a_point_share_it_by_their_weights(below, above):
 def test_brackets_in_a_table_of_several_columns_are_refused():
     with pytest.raises(ValueError, match="as many lower as upper"):
         fit(np.full((2, 2), 0.1), np.full((2, 2), 0.2))
+
+
+def test_the_rate_of_a_building_and_of_facades_before_it():
+    """λ = 10⁻³ x⁻²: façades fall from 0.2 and 0.4 g, their buildings from 0.1 and from 0.8 g.
+
+    Of the façades' rate λ(0.2) + λ(0.4) the first's comes after its building, the second's before
+    it but for λ(0.8).
+    """
+    curves = {}
+    for name, facade, building in (("A", 0.2, 0.1), ("B", 0.4, 0.8)):
+        x, fell = falls_from(facade)
+        curves["W2", name, "pos"] = x, fell, falls_from(building)[1]
+    risk = {"years": 50, "bins": 4}
+    row = beside_building(curves, {"A": "SA", "B": "SB"}, LAW, risk, SETTINGS)
+    rate = {g: 1e-3 * g**-2.0 for g in (0.1, 0.2, 0.4, 0.8)}
+    assert row["building_rate"] == pytest.approx(0.5 * (rate[0.1] + rate[0.8]), rel=5e-3)
+    assert row["building_probability"] == pytest.approx(1.0 - np.exp(-50.0 * row["building_rate"]))
+    before = (rate[0.4] - rate[0.8]) / (rate[0.2] + rate[0.4])
+    assert row["share_before_building"] == pytest.approx(before, rel=5e-3)
+    assert np.isnan(row["building_low"])  # of two stations there is no interval
+    assert list(row) == BUILDING
+    assert beside_building({}, {}, LAW, risk, SETTINGS) == {}
+
+
+def test_curves_before_an_elastic_building_say_nothing_of_it():
+    key = {"model": "W2", "record": "A", "direction": "pos"}
+    pga_g = np.array([0.1, 0.2, 0.3])
+    table = pd.DataFrame({**key, "pga_g": pga_g, "probability": [0.0, 0.5, 1.0]})
+    table = table.assign(realisations=9, realisations_yade=np.nan, probability_building=np.nan)
+    curves = pd.DataFrame([key])
+    assert building_shares(curves, table, {"A": 2.0}) == {}
+    weak = table.assign(probability_building=[0.2, 0.6, 1.0])
+    ((x, fell, down),) = building_shares(curves, weak, {"A": 2.0}).values()
+    assert x == pytest.approx(2.0 * pga_g)
+    assert fell == pytest.approx([0.0, 0.5, 1.0])
+    assert down == pytest.approx([0.2, 0.6, 1.0])

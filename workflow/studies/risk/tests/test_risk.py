@@ -128,7 +128,14 @@ def run_tables(ln_pga):
         curves[-1]["pga_max_g"] = 2.0 * np.exp(value)
         pga_g = np.exp(value + STEP * np.array([-0.5, 0.5]))
         part = pd.DataFrame({"pga_g": pga_g, "probability": [0.0, 1.0], "realisations": 9.0})
-        dense.append(part.assign(**key, realisations_yade=np.nan, probability_yade=np.nan))
+        dense.append(
+            part.assign(
+                **key,
+                realisations_yade=np.nan,
+                probability_yade=np.nan,
+                probability_building=np.nan,
+            )
+        )
         if d == 0:
             factors.append((f"R{i}{c}", f"S{i}", "pga_g", 1.0))
     curves, dense = pd.DataFrame(curves), pd.concat(dense)
