@@ -181,7 +181,8 @@ def _storeys(config, blocks, masses):
     if not masses or not yields(config["smdof"]):
         return []
     heights = [blocks[i].centre_m[2] for i in masses]
-    return sliders(config, building_mass(config), masses, heights)
+    chain, whole_m = config["smdof"], config["facade"].building_top_m
+    return sliders(chain, whole_m / chain["n_dof"], building_mass(config), masses, heights)
 
 
 def _base_motion(config, kind, motions):
@@ -238,8 +239,8 @@ def _stand(beds, blocks, shape, columns, release_ratio, walls_stand, base):
         rotation_rad=rotation,
         lever_m=shape.lever_m,
     )
-    blocks += pieces(facade, shape, upright) if shape.hinges_m else [upright]
     stiffness = hinge_stiffness(facade.e_mpa, shape)
+    blocks += pieces(facade.floors, stiffness, shape, upright) if shape.hinges_m else [upright]
     for k, z in enumerate(shape.hinges_m, 1):
         beds.bed(f"hinge {k}", k + 1, k, z, float(stiffness[k - 1]), meets=shape.joint_at(z))
 
