@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import Case, Motion, history
+from rocking import Motion, history
 from rocking.collapse import hidden, probability, quick
 from rocking.collapse.agreement import compared
 from rocking.collapse.cautions import cautions, scale_factors
@@ -11,6 +11,7 @@ from rocking.collapse.crossing import between
 from rocking.collapse.ensemble import realisations_needed
 from rocking.records import Record
 from scipy.stats import beta, fisher_exact
+from study_cases import study_case
 
 
 def rung(window, many, low_g=0.2):
@@ -123,7 +124,7 @@ def test_a_curve_of_few_runs_is_a_threshold(safe, collapse, most, expected):
 
 def test_a_rotation_is_outward_where_the_top_is():
     """Of a block that rocks on its edge d = h sin θ, with the sign of both."""
-    case = Case.configured("W1", {"numerics.after_motion_s": 1.0, "smdof": {"tail_s": 1.0}})
+    case = study_case("W1", {"numerics.after_motion_s": 1.0, "smdof": {"tail_s": 1.0}})
     t = 0.01 * np.arange(160)
     pulse = Motion(Record("pulse", -np.sin(2.5 * np.pi * t) * (t < 0.8), 0.01, source="file"))
     height, thickness = (case["facade"][key] for key in ("height_m", "thickness_m"))

@@ -153,10 +153,11 @@ def test_shipped_files_resolve(path):
 COMMANDS = re.findall(r"^snakemake .*$", docs.README.read_text("utf-8"), re.MULTILINE)
 EXPECTED = [
     {"tall": {"facade.height_m": 7.0, "facade.width_m": 4.4}},
-    {"two": {"records": ["RRS228", "1ST280"], "directions": ["neg"], "models": ["W1", "W2"]}},
+    {"two": {"records": ["GMN_NS", "IS113_Lo"], "directions": ["neg"], "models": ["W1", "W2"]}},
     {"tall": {"facade.height_m": 7.0}},
     {"own_facade": {"facade.height_m": 7.2, "damping.law": "eq5", "facade.friction_deg": 30.0}},
     {"own_facade": {"facade.height_m": 7.2, "damping.law": "value"}},
+    {"low": {"facade.height_m": 5.0, "facade.courses": 0, "smdof.base_shear_ratio": None}},
     {
         f"study-height_m_{h}-law_{law}": {"facade.height_m": float(h), "damping.law": law}
         for h in ("5", "6.48", "8")
@@ -179,7 +180,7 @@ RUNS = expand_scenarios(config)
 with open("runs.json", "w") as stream:
     json.dump(RUNS, stream)
 rule all:
-    input: expand("results/{{run}}/ida/W1/RRS228_neg.csv", run=RUNS)
+    input: expand("results/{{run}}/ida/W1/GMN_NS_neg.csv", run=RUNS)
 rule one:
     output: "results/{{run}}/ida/{{model}}/{{record}}_{{direction}}.csv"
     shell: "touch {{output}}"

@@ -17,6 +17,7 @@ from unittest import mock
 import numpy as np
 from rocking.collapse.scan import carried_masses, driving
 from rocking.configuration import config
+from rocking.configuration.study import as_in_the_study
 from rocking.records import load, read_table
 from rocking.solver import Motions, peaks, runs, stable_step, to_plane
 from rocking.solver.stack import Stack
@@ -74,7 +75,7 @@ def drawn_case(draw):
         }
         sections["numerics"]["step_fraction"] = 0.05
         try:
-            case = config.resolve(sections) | {"model": model}
+            case = config.resolve(as_in_the_study(sections)) | {"model": model}
             case["beta_s"] = float(draw.choice([0.0, 1e-4, 2.76e-3]))
             kind = registry.model(model)  # what carries one block's walls is beside its scene
             own = {"model": kind.one_way_model} if kind.single_block else {}

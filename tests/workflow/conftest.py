@@ -10,10 +10,11 @@ ROOT = Path(__file__).resolve().parents[2]
 SMALL = [
     "--config",
     "run=small",
+    "records_table=config/records.tsv",
     "records=RRS228,HVSC1",
     "directions=pos",
     "models=W1",
-    "facade={height_m: 5.75}",
+    "facade={height_m: 5.75, courses: 0}",
     "ida={mode: grid, grid_g: [0.02, 0.9]}",
     "numerics={step_fraction: 0.5, after_motion_s: 0}",
     "ensemble={enabled: off}",

@@ -270,7 +270,7 @@ def test_targets_in_commands_of_the_pages_stand_behind_two_dashes():
 
 
 def test_an_interrupted_run_says_what_is_kept(tmp_path):
-    words = ["--config", "run=stopped", "records=RRS228", "models=W1", "directions=pos"]
+    words = ["--config", "run=stopped", "records=GMN_NS", "models=W1", "directions=pos"]
     run = subprocess.Popen(
         [*COMMAND, *words],
         cwd=tmp_path,
@@ -351,7 +351,7 @@ def test_what_cannot_be_compared_is_one_line(finished, named, told):
 
 
 def test_a_grid_is_compared_by_running_it(tmp_path):
-    words = ["--config", "run=g", "records=RRS228", "grid={facade.height_m: [5, 6]}"]
+    words = ["--config", "run=g", "records=GMN_NS", "grid={facade.height_m: [5, 6]}"]
     done = snakemake(tmp_path, "-n", *words, "--", "compare")
     assert done.returncode == 0, done.stderr[-3000:]
     jobs = dict(line.split()[:2] for line in done.stdout.splitlines() if len(line.split()) == 2)

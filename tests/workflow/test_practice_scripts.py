@@ -141,7 +141,9 @@ def test_what_yade_does_not_confirm_rests_on_the_scan_alone(tmp_path):
 def test_yade_confirms_the_records_that_the_configuration_says():
     config = {
         "models": ["W1", "W3"],
+        "records_table": "config/records.tsv",
         "records": ["BUCAR0", "RRS228", "HVSC1"],
+        "facade": {"courses": 0},
         "directions": ["neg"],
         "ida": {"confirm_every": 2},
     }

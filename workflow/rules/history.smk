@@ -1,4 +1,4 @@
-# One history of one model at one intensity: `results/<run>/histories/W2/RRS228_neg_0.2g.png`.
+# One history of one model at one intensity: `results/<run>/histories/W2/GMN_NS_neg_0.2g.png`.
 wildcard_constraints:
     pga=r"\d+(\.\d+)?",
 

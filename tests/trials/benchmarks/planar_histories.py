@@ -18,6 +18,7 @@ sys.path[:0] = [str(ROOT), str(ROOT / "workflow")]
 
 from rocking.collapse.scan import Screen  # noqa: E402
 from rocking.configuration import config  # noqa: E402
+from rocking.configuration.study import as_in_the_study  # noqa: E402
 from rocking.fidelity import choose, read_fidelity  # noqa: E402
 from rocking.records import load, read_table  # noqa: E402
 from rocking.reference import Motion, simulate_batch  # noqa: E402
@@ -56,7 +57,9 @@ def main(arguments=None):
     args = parser.parse_args(arguments)
     mass = {"building_mass_kg": 1e3 * args.building}
     facade = {"courses": args.courses, "courses_growth": 1.5} if args.courses else {}
-    job = config.resolve({"models": [args.model], "return_wall": mass, "facade": facade})
+    job = config.resolve(
+        as_in_the_study({"models": [args.model], "return_wall": mass, "facade": facade})
+    )
     job |= {"model": args.model, "beta_s": job["damping"]["beta_s"]}
     job["numerics"], _ = choose(job, args.model, read_fidelity(ROOT / "config" / "fidelity.yaml"))
     names, chain = list(read_table(SUITE)), job["smdof"]

@@ -17,7 +17,9 @@ from rocking.configuration.differences import by_path
 from rocking.configuration.facade import check_facade
 from rocking.configuration.files import changed, check_files, write_resolved
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show, value_at
+from rocking.configuration.settled import settle, settle_mass
 from rocking.configuration.storeys import check_storeys
+from rocking.configuration.study import as_in_the_study
 from rocking.configuration.units import unusual
 from rocking.configuration.words import listed
 from yade_scripts.model.part import part_of
@@ -28,6 +30,7 @@ __all__ = [
     "changed",
     "check_files",
     "expand_scenarios",
+    "laid_over",
     "nested",
     "relevant",
     "resolve",
@@ -58,10 +61,13 @@ def resolve(config: Mapping) -> dict[str, Any]:
     known = config_schema.whole()
     resolved = config_schema.complete(_rated(values), known)
     refusals.refuse_invalid(resolved, known)
+    stated = {path for path, _ in by_path(values)}
+    settle(resolved, stated)
     try:
         check(resolved)
     except ConfigError as error:  # what follows from a number in another unit is no help alone
         raise ConfigError("; ".join([error.detail, *list(unusual(resolved))[:1]])) from None
+    settle_mass(resolved, stated)
     return resolved
 
 
@@ -157,9 +163,9 @@ class Settings(str):
     def words(self):
         """What is set, in words; not what the workflow chooses itself, nor what there is none of.
 
-        There is none of what an empty list says, or a 0 that is the default: gables, gaps, bonds.
+        There is none of what an empty list says, or a 0 that is the study's: gables, gaps, courses.
         """
-        usual = resolve({})
+        usual = resolve(as_in_the_study())
         return listed(
             (key, value)
             for section, values in json.loads(self).items()
@@ -209,7 +215,7 @@ def expanded(config: Mapping) -> dict[str, tuple[dict[str, Any], dict[str, Any]]
     for name, overrides in (named or {"": {}}).items():
         for label, cell in cells.items():
             ending = "-".join(part for part in (name, label) if part)
-            given = _merge(_merge(common, overrides), cell)
+            given = laid_over(laid_over(common, overrides), cell)
             try:
                 one = resolve(given)
                 if ending:
@@ -320,7 +326,7 @@ def _nest(given: dict, where: str) -> dict:
             value = {part: value}
         if head in out and _both(out[head], value):
             raise ConfigError(f"{where}.{key}: given twice")
-        out[head] = _merge(out[head], value) if head in out else value
+        out[head] = laid_over(out[head], value) if head in out else value
     return out
 
 
@@ -331,11 +337,11 @@ def _both(one: Any, two: Any) -> bool:
     return any(_both(one[key], two[key]) for key in one.keys() & two.keys())
 
 
-def _merge(given: dict, overrides: dict) -> dict:
+def laid_over(given: dict, overrides: dict) -> dict:
     """Lay overrides over what is given by section; lists and single values are replaced."""
     out = dict(given)
     for key, value in overrides.items():
         old = out.get(key)
         both = isinstance(old, dict) and isinstance(value, dict)
-        out[key] = _merge(old, value) if both else value  # type: ignore[arg-type]
+        out[key] = laid_over(old, value) if both else value  # type: ignore[arg-type]
     return out

@@ -24,7 +24,8 @@ INTRO = """\
 
 <!-- Written by `python -m rocking.configuration.docs` from workflow/schemas/; edit those. -->
 
-`config/config.yaml` holds what differs from the defaults below; an empty one runs the study. A
+`config/config.yaml` holds what differs from the defaults below; an empty one runs what is
+recommended, the elastic wall in courses before a building that yields. A
 misspelt key is refused by name with the nearest right one, a value out of range with its unit. The
 complete configuration of each run, defaults included, is saved beside its results.
 
@@ -34,14 +35,14 @@ On the command line, a section's keys go in braces; what is not named keeps its 
 
 ```sh
 snakemake --cores 2 --config run=tall 'facade={height_m: 7.0}'
-snakemake --cores 2 --config run=two records=RRS228,1ST280 directions=neg models=W1,W2
+snakemake --cores 2 --config run=two records=GMN_NS,IS113_Lo directions=neg models=W1,W2
 ```
 
 `run` names the folder, so the first command fills `results/tall/` and leaves `results/main/` as it
 is. One file can be asked for as well; `--` ends the list that `--config` takes:
 
 ```sh
-snakemake --cores 2 --config run=tall 'facade={height_m: 7.0}' -- results/tall/ida/W1/RRS228_neg.csv
+snakemake --cores 2 --config run=tall 'facade={height_m: 7.0}' -- results/tall/ida/W1/GMN_NS_neg.csv
 ```
 
 For more than a few values write a file of your own and give it with `--configfile`; it is laid over
@@ -50,6 +51,12 @@ For more than a few values write a file of your own and give it with `--configfi
 ```sh
 snakemake --cores 2 --configfile config/scenarios/own_facade.yaml
 snakemake --cores 2 --configfile config/scenarios/own_facade.yaml --config 'damping={law: value}'
+```
+
+The study with 3DEC is such a file, over which other values or another file may be laid:
+
+```sh
+snakemake --configfile config/scenarios/study.yaml --config run=low models=W1 'facade={height_m: 5}'
 ```
 
 ## Studies: several runs at once

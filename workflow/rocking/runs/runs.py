@@ -199,8 +199,9 @@ class Runs:
         return [CurveKey(*names) for names in found]
 
     def confirmed(self, run) -> list[str]:
-        """Records whose dense scans YADE confirms: one of every `ida.confirm_every`, in order."""
-        return self.records[run][:: self.settings[run]["ida"]["confirm_every"]]
+        """Records whose dense scans YADE confirms: one of every `ida.confirm_every`, or one."""
+        every = self.settings[run]["ida"]["confirm_every"]
+        return self.records[run][:: every or len(self.records[run])]
 
     def scanned(self, run, model) -> bool:
         """Whether the curves of a model follow a dense scan by the planar solver."""
@@ -212,12 +213,17 @@ class Runs:
 
     def by_yade(self, run) -> list[CurveKey]:
         """Curves that YADE runs: none of a pushed building whose loops its sliders cannot do."""
-        confirmed, slides = self.confirmed(run), storeys.slides(self.settings[run]["smdof"])
+        settings, confirmed = self.settings[run], self.confirmed(run)
+        one_way = settings["directions"][: None if settings["ida"]["confirm_every"] else 1]
+        slides = storeys.slides(settings["smdof"])
         return [
             curve
             for curve in self.curves(run)
             if not self.scanned(run, curve.model)
-            or (curve.record in confirmed and (slides or not MODELS[curve.model].two_way))
+            or (
+                (curve.record in confirmed and curve.direction in one_way)
+                and (slides or not MODELS[curve.model].two_way)
+            )
         ]
 
     def ensembles(self, run) -> list[CurveKey]:

@@ -19,14 +19,11 @@ from rocking.tables import read_frame
 
 from studies.assess.anchors import completed
 from studies.assess.dynamic_check import Limits, limits_of
+from studies.assess.inputs import SETTLED
 from studies.assess.sites import EXTENT, WHOLE_PART
 
 COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "side", "pga_fails_g"]
 COLUMNS += [*EXTENT, "d0_m", "d_slv_m", "d_slc_m", "shaken", "why_not", "why_words"]
-SETTLED = (  # keys that say what holds a façade while it is shaken
-    *("floor_friction", "anchor_plate_m", "masonry_shear_mpa", "masonry_compression_mpa"),
-    "confidence_factor",
-)
 CORNER, FAR, STOCKY, REFUSED = "corner", "far", "stocky", "refused"  # why one is not shaken
 NARROW = "narrow"
 WORDS = {

@@ -101,6 +101,7 @@ def batch_wall(settings, b, e_mpa, slenderness, ratio, **numerics):
         {
             "models": ["W1"],
             "facade": {
+                "courses": 0,
                 "height_m": float(f"{slenderness * b:.6g}"),
                 "thickness_m": b,
                 "width_m": 1.0,

@@ -10,10 +10,11 @@ import pytest
 from rocking import Case
 from rocking.collapse.case import LAW_FILE
 from rocking.collapse.scan import Screen
-from rocking.configuration.config import ConfigError, resolve
+from rocking.configuration.config import ConfigError
 from rocking.mechanics.beta import beta_for
 from rocking.risk import fragility
 from rocking.runs import Runs
+from study_cases import study_settings
 from yade_process import resolved, run_study
 
 from studies.uncertainty import design, parts, sampling
@@ -176,7 +177,9 @@ def test_each_base_is_a_form_of_its_own():
     area = own["facade"]["thickness_m"] * own["facade"]["width_m"]
     assert kn == pytest.approx(2.8 * 2.0 * joint_stiffness(own.sections)[0] * area)
     with pytest.raises(ConfigError, match=r"uncertainty\.bases = column: expected study with"):
-        resolve({"uncertainty": {"bases": ["column"]}, "facade": {"base_stiffness_pa_m": 1e9}})
+        study_settings(
+            {"uncertainty": {"bases": ["column"]}, "facade": {"base_stiffness_pa_m": 1e9}}
+        )
 
 
 def test_motions_are_drawn_by_the_seed():

@@ -3,7 +3,8 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import Case, Motion
+from rocking import Motion
+from study_cases import study_case
 
 from studies.yielding import study
 
@@ -58,20 +59,20 @@ def test_intervals_draw_stations():
 
 
 def test_other_periods_take_the_first_loops():
-    case = Case.configured("W2")
+    case = study_case("W2")
     settings = {**SETTINGS, "base_shear_ratios": [0.1, 0.2], "loops": ["flag", "bilinear"]}
     found = study.variants(case, {**settings, "periods_s": [0.15]}, "here")
     alike = [(v.about["period_s"], v.about["loops"]) for v in found]
     assert alike.count((0.15, "flag")) == 2
     assert alike.count((0.15, "bilinear")) == 0
     assert alike.count((0.27, "bilinear")) == 2
-    walls = study.variants(Case.configured("W1"), settings, "here")
+    walls = study.variants(study_case("W1"), settings, "here")
     assert [v.about["loops"] for v in walls] == ["elastic"]
 
 
 @pytest.mark.slow
 def test_a_strong_building_loses_what_the_elastic_one_does():
-    table = study.collapse(Case.configured("W2"), Motion.named("RRS228"), "neg", SETTINGS, "here")
+    table = study.collapse(study_case("W2"), Motion.named("RRS228"), "neg", SETTINGS, "here")
     elastic, strong = table.to_dict("records")
     for name in ("pga_equivalent_g", "pga_collapse_g", "runs_planar"):
         assert strong[name] == elastic[name]

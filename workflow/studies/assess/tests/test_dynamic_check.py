@@ -3,11 +3,11 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.configuration import config
 from studies.assess import dynamic_check
 from studies.assess.dynamic_check import Limits, limits_of, verdict
 from studies.assess.family import Family
 from studies.assess.selection import Selection, choose, periods
+from study_cases import study_settings
 
 PERIODS = periods(0.15, 3.0)
 LIMITS = Limits(0.40, 0.16, 0.24)
@@ -164,6 +164,6 @@ def test_a_failed_history_is_no_collapse():
 def test_limits_are_those_of_the_facades_top():
     """h = 6, b = 0.6: d0 = 6 sin(atan 0.1) = 0.597, d_SLV = 0.4 of it, d_SLC = 0.6."""
     plain = {"height_m": 6.0, "thickness_m": 0.6, "width_m": 4.4, "density_kg_m3": 1800.0}
-    whole = Family(config.resolve({"facade": plain})).part(0.0, "whole")
+    whole = Family(study_settings({"facade": plain})).part(0.0, "whole")
     found = limits_of(whole.mechanism)
     assert found == pytest.approx((0.5970, 0.2388, 0.3582), rel=1e-3)

@@ -3,15 +3,15 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import Case, Motion
+from rocking import Motion
 from rocking.collapse import curve, scan, search
-from rocking.configuration import config
 from rocking.risk.hazard import Hazard
 from studies.assess import collapses, shaken
 from studies.assess.code_checks import family_of, governing
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.dynamic_answer import left_out
 from studies.assess.national import return_period_of
+from study_cases import study_case, study_settings
 
 DEMAND = CodeDemand(0.16, 2.5, 0.31, "C")
 FACADE = {"height_m": 8.0, "thickness_m": 0.5, "width_m": 8.0, "density_kg_m3": 1800.0}
@@ -23,10 +23,10 @@ HELD |= {"masonry_compression_mpa": 2.6, "confidence_factor": 1.2}
 
 
 def table(within, demand=DEMAND):
-    settings = config.resolve({"facade": FACADE, "smdof": CHAIN})
+    settings = study_settings({"facade": FACADE, "smdof": CHAIN})
     ranked = governing(family_of(settings, demand).all(), settings, demand)
     damping = {"law": "value", "beta_s": 0.001}
-    case = Case.configured("W1", {"facade": FACADE, "smdof": CHAIN, "damping": damping})
+    case = study_case("W1", {"facade": FACADE, "smdof": CHAIN, "damping": damping})
     return shaken.chosen(ranked, [case], demand.pga_g, within), case
 
 
@@ -57,7 +57,7 @@ def test_what_is_too_stocky_is_known_by_the_kind_of_its_refusal():
 
 
 def test_friction_of_floors_holds_nothing_unless_it_is_said_to():
-    case = Case.configured("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
+    case = study_case("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
     found = shaken.settled(case, HELD)
     assert [row["friction"] for row in found["facade"]["floors"]] == [0.0]
     assert found["facade"]["ties"][0]["anchor_kn"] == pytest.approx(
@@ -71,12 +71,12 @@ def test_friction_of_floors_holds_nothing_unless_it_is_said_to():
 
 
 def test_a_part_of_the_parapet_stands_on_the_top_of_the_building():
-    case = Case.configured("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
+    case = study_case("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
     part = case.part(8.5)["facade"]
     assert part["height_m"] == pytest.approx(0.7)
     assert (part["base_height_m"], part["sides"]) == (8.0, "two")
     gable = {**FACADE, "parapet_height_m": 0.0, "gable_height_m": 2.0}
-    case = Case.configured("W1", {"facade": gable, "damping": {"law": "value", "beta_s": 1e-3}})
+    case = study_case("W1", {"facade": gable, "damping": {"law": "value", "beta_s": 1e-3}})
     part = case.part(8.5)["facade"]
     assert (part["height_m"], part["width_m"]) == (pytest.approx(1.5), pytest.approx(6.0))
 
@@ -100,7 +100,7 @@ def test_climbs_that_end_where_another_has_fallen_lose_no_first_collapse():
 
 @pytest.mark.slow
 def test_a_climb_from_where_a_part_stands_finds_the_same_and_runs_none_below(monkeypatch):
-    case = Case.configured("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
+    case = study_case("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
     turns = [(Motion.named("IS101_Lo", "config/suites/recorded_suite.tsv"), "neg")]
     (usual,) = collapses.by_part({"whole": case}, turns, 2.0)["whole"]
     start, asked = 0.9 * usual["pga_median_g"], []

@@ -11,10 +11,10 @@ from rocking import Case, Motion
 from rocking.collapse import curve as curves
 from rocking.collapse.additions import planar_models
 from rocking.collapse.curve import WHERE
-from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from scipy.stats import binomtest
 from studies.assess import strengthening
+from study_cases import study_case, study_settings
 from yade_process import resolved
 
 from yade_scripts.model.facade import facade_scene
@@ -186,7 +186,7 @@ def test_what_is_left_is_said_once_a_height_is_through(monkeypatch):
 
     monkeypatch.setattr(strengthening, "realisations", realisations)
     monkeypatch.setattr(strengthening.time, "process_time", lambda: clock[0])
-    case = Case.configured("W1")
+    case = study_case("W1")
     settings = {**resolved()["strengthening"], **SEARCH, "heights_m": [3.0, 4.5, 6.0]}
     strengthening.search(case, None, "pos", settings, say=say)
     told = [k for k, text in enumerate(said) if " min of processor time for the " in text]
@@ -206,8 +206,8 @@ def test_the_forecast_is_by_a_history_of_the_tie_after_the_one_that_compiles(mon
     monkeypatch.setattr(strengthening, "realisations", realisations)
     monkeypatch.setattr(strengthening.time, "process_time", lambda: clock[0])
     settings = {**resolved()["strengthening"], **SEARCH}
-    strengthening.search(Case.configured("W1"), None, "pos", settings, say=said.append)
-    height_m = Case.configured("W1")["facade"]["height_m"]
+    strengthening.search(study_case("W1"), None, "pos", settings, say=said.append)
+    height_m = study_case("W1")["facade"]["height_m"]
     assert [text for text in said if "s a history" in text] == [
         strengthening.forecast(settings, height_m, 0.06)
     ]
@@ -282,7 +282,7 @@ def test_search_finds_the_static_answer():
 )
 def test_facades_that_cannot_be_held(given, message):
     """The search for a tie is refused before anything is planned."""
-    config = configuration.resolve(given)
+    config = study_settings(given)
 
     def models():
         settings = config["strengthening"]
