@@ -8,9 +8,8 @@ from rocking.collapse import hidden, probability, quick
 from rocking.collapse.agreement import compared
 from rocking.collapse.cautions import cautions, scale_factors
 from rocking.collapse.crossing import between
-from rocking.collapse.ensemble import realisations_needed
 from rocking.records import Record
-from scipy.stats import beta, fisher_exact
+from scipy.stats import fisher_exact
 from study_cases import study_case
 
 
@@ -155,18 +154,6 @@ def test_a_peak_off_the_branch_leaves_doubt_on_either_side_of_it(away):
     assert not doubts(peaks).any()
     peaks[900] += away
     assert doubts(peaks).any()
-
-
-def test_so_many_realisations_hold_the_median_of_draws():
-    """Of a uniform spread the median of n is distributed as Beta((n + 1)/2, (n + 1)/2)."""
-    values = (np.arange(4000) + 0.5) / 4000
-    for tolerance in (0.1, 0.2):
-        half = [(n, (n + 1) / 2) for n in range(3, 200, 2)]
-        inside = {
-            n: beta.cdf(0.5 + tolerance, a, a) - beta.cdf(0.5 - tolerance, a, a) for n, a in half
-        }
-        expected = next(n for n, share in inside.items() if share >= 0.9)
-        assert abs(realisations_needed(values, tolerance, 1) - expected) <= 4
 
 
 def test_what_never_fell_rests_on_no_histories():

@@ -20,7 +20,6 @@ from rocking.configuration.config import (
     resolve,
     write_resolved,
 )
-from rocking.records.intensity_measures import MEASURES
 
 from tests.trials import fuzz_config
 from yade_scripts.model import registry
@@ -92,12 +91,10 @@ def test_limits_of_a_list_hold_for_each_of_its_entries(monkeypatch):
     assert refusal({"gaps": {"gaps_m": [0.0, 0.5]}}) == line
 
 
-def test_models_and_measures_are_those_of_their_registries():
+def test_models_are_those_of_their_registry():
     models = config_schema.sections()["run"]["properties"]["models"]
     for name in registry.WITH_WALLS:
         assert f"{name}: {registry.MODELS[name].meaning}" in models["description"]
-    measures = config_schema.sections()["fragility"]["properties"]["measures"]
-    assert measures["items"]["enum"] == measures["default"] == list(MEASURES)
 
 
 def test_an_empty_configuration_is_a_facade_of_the_size_of_the_studys():

@@ -1,5 +1,7 @@
 """Floor motions by PGA: read, checked, mixed between intensities, refused beyond them."""
 
+import os
+
 import numpy as np
 import pytest
 from rocking import Motion, collapse_curve
@@ -65,18 +67,42 @@ def test_beyond_the_table_nothing_is_known(tabled):
     ("text", "named"),
     [
         ("pga_g,file\n0.08,at_0.08.csv\n0.115,at_0.115.csv\n", "at most a factor of 1.25 apart"),
-        ("pga_g,file\n0.096,at_0.096.csv\n0.08,at_0.08.csv\n", "expected ascending ones"),
+        ("pga_g,file\n0.096,at_0.096.csv\n0.08,at_0.08.csv\n", "expected more than 0.096, the row"),
         ("pga_g,file\n0.09,at_0.08.csv\n", "row 1: pga_g = 0.09, but the ground of at_0.08.csv"),
         ("pga_g,file\nweak,at_0.08.csv\n", "row 1: pga_g = 'weak': expected a number"),
         ("g,file\n0.08,at_0.08.csv\n", "expected columns pga_g, file"),
-        ("", "expected columns pga_g, file"),
+        ("", "the file is empty"),
+        ("pga_g,file\n", "expected columns pga_g, file and a row an intensity"),
+        ("pga_g,file\n0,at_0.08.csv\n", "pga_g = '0': expected a number > 0"),
+        ("pga_g,file\nnan,at_0.08.csv\n", "pga_g = 'nan': expected a number > 0"),
+        ("pga_g,file\n0.08,\n", "line 2: 2 cells; expected pga_g, file"),
+        ("pga_g,file\n0.08,a,b\n", "line 2: 3 cells; expected pga_g, file"),
+        ('pga_g,file\n0.08,"at_0.08.csv\n', "line 2: a quotation mark"),
+        (f"pga_g,file\n0.08,{'a' * 200_000}\n", "by_pga.csv"),
+        ("pga_g,file\n" + "0.08,at_0.08.csv\n" * 2000, "2000 rows; expected at most 999"),
     ],
 )
 def test_what_a_table_cannot_be_is_named(tabled, text, named):
     path, *_ = tabled
     path.write_text(text)
-    with pytest.raises(RecordError, match=named):
+    with pytest.raises(RecordError, match=named) as caught:
         Motion.read_floor_table(path)
+    assert str(caught.value).isprintable()
+
+
+def test_a_table_may_have_semicolons_a_mark_of_its_encoding_and_more_columns(tabled):
+    path, *_ = tabled
+    levels = Motion.read_floor_table(path).floors[1].sizes
+    text = path.read_text().replace("pga_g,file", "\ufeffpga_g;file;remark")
+    path.write_text("\n".join(line.replace(",", ";") for line in text.splitlines()), "utf-8")
+    assert Motion.read_floor_table(path).floors[1].sizes.tolist() == levels.tolist()
+
+
+def test_what_is_no_file_is_not_waited_for(tmp_path):
+    os.mkfifo(tmp_path / "pipe.csv")
+    for path in (tmp_path / "pipe.csv", "/dev/zero", tmp_path):
+        with pytest.raises(RecordError, match="not a regular file"):
+            Motion.read_floor_table(path)
 
 
 def test_another_ground_motion_is_refused(tabled):

@@ -12,7 +12,7 @@ from rocking.solver import Motions, history, moving_supports, to_plane
 from study_cases import study_case
 from yade_process import resolved
 
-from smdof import floor_motions
+from smdof import floor_motions, shear_chain
 from yade_scripts.model import floor_motions as files
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.scene import BOND
@@ -44,7 +44,8 @@ def series(scene, amplitude=AMPLITUDE, how=None, **options):
 def answer_of_the_chain(config):
     """Times and floor motions of a configuration's chain under the pulses, and while it rings."""
     chain, (_, ground) = config["smdof"], pulses(AMPLITUDE)
-    how = chain["n_dof"], chain["period_s"], chain["damping_ratio"], chain["damping_model"]
+    own = shear_chain(chain["n_dof"], chain["period_s"])
+    how = own, chain["damping_ratio"], chain["damping_model"]
     motion = floor_motions(ground, 0.01, *how, tail_s=1.0)
     return 0.01 / motion.refine * np.arange(motion.ground_m_s2.size), motion
 

@@ -18,7 +18,7 @@ import sys
 import numpy as np
 from numba.core.dispatcher import Dispatcher
 from rocking import Case, Motion, collapse_curve, collapse_curves, compile_ahead
-from rocking.mechanics import column, rocking_block
+from rocking.mechanics import column
 from rocking.records import Record
 from rocking.reference.facade import answers
 
@@ -58,7 +58,6 @@ moving = t, {"ground": wave, **{f"floor{j}": wave for j in range(1, 5)}}
 answers(case, moving, "pos", [0.1], nodes=5, tolerance=1e-4)
 case = Case.configured("W2", {"facade.courses": 2}).sections
 answers(case, moving, "pos", [0.1], nodes=5, tolerance=1e-4)
-rocking_block.overturning_pga(wave, 0.01, 6.48, 0.375, 1, 0.1)
 column.capacity([0.1, 0.2], 0.05, 0.06, column.courses(5))
 print(json.dumps([ahead, compiled()]))
 """

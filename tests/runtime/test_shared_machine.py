@@ -1,6 +1,7 @@
 """On a machine with other users: nothing of theirs is run, nothing of one's own is emptied."""
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -268,10 +269,52 @@ def test_a_table_that_is_written_is_not_changed(tmp_path):
     assert frame["event"][0] == "=1"
 
 
+SAFE = """replace("`", "'") | replace("\\n", " ")"""
+OF_USERS = re.compile(r"snakemake\.(input|output|log|config)\b")
+
+
+def unsafe(caption):
+    """Tags of a caption through which a file's name reaches the report as it is."""
+    written = [part for part in re.findall(r"(?s)\{\{(.*?)\}\}", caption) if SAFE not in part]
+    others = re.findall(r"(?s)\{%(.*?)%\}", caption)
+    return [part for part in (*written, *others) if OF_USERS.search(part)]
+
+
 def test_captions_write_files_as_literals_that_no_name_ends():
     """A backtick in a file's name would end the literal, and the rest could be a link."""
-    for path in (ROOT / "workflow/report").glob("*.rst"):
-        for part in path.read_text("utf-8").split("{{")[1:]:
-            said = part.split("}}")[0]
-            if "snakemake.input" in said or "snakemake.output" in said:
-                assert """replace("`", "'") | replace("\\n", " ")""" in said, path.name
+    folders = [ROOT / "workflow/report", *ROOT.glob("workflow/studies/*/captions")]
+    paths = [path for folder in folders for path in folder.glob("*.rst")]
+    assert len(paths) > 10
+    assert {path.name: found for path in paths if (found := unsafe(path.read_text("utf-8")))} == {}
+
+
+@pytest.mark.parametrize(
+    "caption",
+    [
+        *("``{{ snakemake.input.table }}``", "{{snakemake.config['run']}}"),
+        "{% for f in snakemake.input %}{{ f }}{% endfor %}",
+    ],
+)
+def test_the_check_of_captions_finds(caption):
+    assert unsafe(caption)
+    assert not unsafe(f"{{{{ snakemake.input.hazard | {SAFE} }}}}")
+
+
+def test_a_folder_that_cannot_be_entered_is_said_before_snakemake_goes_there(tmp_path, monkeypatch):
+    """However the option is spelt; one that is not there yet is made as ever."""
+    (tmp_path / "mine.txt").write_text("work of years\n")
+    (tmp_path / "there").mkdir()
+    from snakemake import cli
+
+    monkeypatch.setattr(cli, "parse_args", cli.parse_args)
+    start.look_at_folder()
+    monkeypatch.chdir(tmp_path)
+    for words in (["-d", "mine.txt"], ["--directory=mine.txt/below"], ["--direc", "mine.txt"]):
+        with pytest.raises(SystemExit) as caught:
+            cli.parse_args(["--cores", "1", *words])
+        assert str(caught.value).startswith("error: --directory mine.txt")
+        assert str(caught.value).endswith(f"{tmp_path}/mine.txt is no folder")
+    with pytest.raises(SystemExit, match="File name too long"):
+        cli.parse_args(["--cores", "1", "-d", "a" * 300])
+    for name in ("there", "not/yet"):
+        assert cli.parse_args(["--cores", "1", "-d", name])[1].directory == Path(name)

@@ -198,6 +198,31 @@ def test_a_stamp_is_as_old_as_the_code_and_new_when_it_changes(tmp_path, monkeyp
     as_at_a_start()
 
 
+def test_what_stands_in_a_stamp_s_way_is_named(tmp_path, monkeypatch):
+    """A file in the place of its folder, or of the folder of all; a folder in its own; links."""
+    package = package_of_four(tmp_path, monkeypatch)
+    folder = tmp_path / "stamps"
+    own = folder / f"{tmp_path.name}-yade_scripts-a"
+    theirs = tmp_path / "theirs"
+    theirs.mkdir()
+    for make in (
+        lambda: folder.write_text(""),
+        lambda: (folder.mkdir(), own.write_text("")),
+        lambda: (own / "stamp" / "x").mkdir(parents=True),
+        lambda: (folder.mkdir(), own.symlink_to(theirs)),
+        lambda: folder.symlink_to(theirs),
+    ):
+        make()
+        as_at_a_start()
+        with pytest.raises(OSError, match="Errno") as caught:
+            stamps.stamp(package / "a.py", folder)
+        assert caught.value.filename == str(own / "stamp")
+        real = folder.is_dir() and not folder.is_symlink()
+        shutil.rmtree(folder) if real else folder.unlink()
+    assert not [*theirs.iterdir()]
+    as_at_a_start()
+
+
 def test_a_script_is_no_module_that_a_server_may_import():
     """To import it would run it: not one of all scripts of rules has a dotted name."""
     scripts = [*SCRIPTS.rglob("*.py"), *STUDIES.glob("*/scripts/*.py")]

@@ -22,7 +22,7 @@ from rocking.records import load, read_table
 from rocking.solver import Motions, peaks, runs, stable_step, to_plane
 from rocking.solver.stack import Stack
 
-from smdof import floor_motions
+from smdof import floor_motions, shear_chain
 from yade_scripts.model import registry
 from yade_scripts.model.models import build_scene
 
@@ -116,7 +116,7 @@ def drawn_motions(draw, kind, case, scene):
     (ground, time), chain = drawn_ground(draw, kind), case["smdof"]
     floors = ground + draw.normal(0.0, 1.0, (chain["n_dof"], ground.size)) * (kind == "uneven")
     if kind in ("window", "rest", "again", "long", "odd"):
-        shaken = floor_motions(ground, time[1], chain["n_dof"], chain["period_s"])
+        shaken = floor_motions(ground, time[1], shear_chain(chain["n_dof"], chain["period_s"]))
         whole = len(shaken.time_s) // int(draw.integers(1, 3))  # may end while the floors move
         time, ground = shaken.time_s[:whole], shaken.ground_m_s2[:whole]
         floors = shaken.floors_m_s2[:, :whole]

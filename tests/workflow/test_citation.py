@@ -37,7 +37,21 @@ def test_people_are_blanks_that_are_marked(name, key):
     people = json.loads(text(name))[key]
     assert people
     for person in people:
-        assert any(str(value).startswith(BLANK) for value in person.values())
+        said = {key: value for key, value in person.items() if not key.startswith("@")}
+        said |= {"affiliation": name} if (name := said.get("affiliation", {})) else {}
+        texts = [one["name"] if isinstance(one, dict) else one for one in said.values()]
+        assert texts
+        assert [one for one in texts if not one.startswith(BLANK)] == []
+
+
+def test_no_other_file_names_people_either():
+    """A contributor's name comes from whoever fills the blanks in."""
+    authors = yaml.safe_load(text("CITATION.cff"))["authors"]
+    assert authors == [{"name": "The project's contributors"}]
+    fields = yaml.safe_load(PAPER.read_text("utf-8").split("---\n", 2)[1])
+    for key in ("authors", "affiliations"):
+        assert {one["name"].startswith(BLANK) for one in fields[key]} == {True}
+    assert json.loads(text("codemeta.json"))["codeRepository"].startswith(BLANK)
 
 
 def test_the_paper_has_what_the_journal_asks():
@@ -62,12 +76,16 @@ def test_every_source_of_the_paper_is_cited_and_has_its_doi():
 
 
 def test_conda_gets_what_runs_need():
-    """Every package of a wheel's workflow, by the names that conda has for two of them."""
-    listed = [
-        one.split()[0]
-        for one in yaml.safe_load(text("environment.yaml"))["dependencies"]
-        if isinstance(one, str)
-    ]
+    """Every package of a wheel's workflow, by the names that conda has for two of them.
+
+    With the same bounds; pip adds this project and nothing else.
+    """
+    whole = yaml.safe_load(text("environment.yaml"))
+    assert whole["channels"] == ["conda-forge", "bioconda"]
+    (by_pip,) = [one for one in whole["dependencies"] if not isinstance(one, str)]
+    assert by_pip == {"pip": ["--editable ."]}
+    dependencies = [one for one in whole["dependencies"] if isinstance(one, str)]
+    listed = [one.split()[0] for one in dependencies]
     names = {"matplotlib-base": "matplotlib", "snakemake-minimal": "snakemake"}
     have = {names.get(one, one) for one in listed}
     project = text("pyproject.toml")
@@ -75,3 +93,11 @@ def test_conda_gets_what_runs_need():
     asked += re.findall(r'"([\w-]+)', re.search(r"(?m)^report = \[(.*)\]", project)[1])
     assert len(asked) > 8
     assert set(asked) <= have
+    bounds = dict(re.findall(r'"([\w-]+)([<>=][\d.,<>=]+)"', project))
+    bounds["python"] = re.search(r'(?m)^requires-python = "(.+)"$', project)[1]
+    assert bounds.keys() >= {"pandas", "snakemake", "python"}
+    stated = {
+        names.get(name, name): bound for name, _, bound in (d.partition(" ") for d in dependencies)
+    }
+    for name, bound in bounds.items():
+        assert name not in have | {"python"} or stated[name].startswith(bound), name

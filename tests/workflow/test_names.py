@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+from code_rules import as_python, used
 from rocking.collapse.ida import by_curve
 from rocking.records import read_table
 from rocking.tables import NAMES, read_frame, read_tables, write_table
@@ -70,13 +71,34 @@ def test_a_records_table_takes_such_names(tmp_path):
     assert list(read_table(path)) == names
 
 
+READERS = {f"pandas.{name}" for name in ("read_csv", "read_table", "read_fwf", "read_excel")}
+
+
 def test_every_table_of_results_is_read_with_its_names_as_text():
-    """pandas' own reader makes a number of 0012 and nothing of NA."""
-    found = [
-        str(path.relative_to(ROOT))
-        for path in (ROOT / "workflow").rglob("*.py")
+    """pandas' own readers make a number of 0012 and nothing of NA."""
+    folder = ROOT / "workflow"
+    sources = {
+        str(path.relative_to(ROOT)): used(path.read_text("utf-8"))
+        for path in folder.rglob("*.py")
         if not (path.name.startswith("test_") or {"tests", "trials"} & {*path.parts})
-        and re.search(r"\bpd\.read_csv\(|pandas\.read_csv\(", path.read_text("utf-8"))
+    }
+    for path in (folder / "Snakefile", *folder.rglob("*.smk")):
+        sources[path.name] = used(as_python(path.read_text("utf-8")))
+    assert [name for name, names in sources.items() if names & READERS] == [
+        "workflow/rocking/tables.py"
     ]
-    assert found == ["workflow/rocking/tables.py"]
     assert {"record", "station", "event"} <= set(NAMES)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *("import pandas\npandas.read_csv('a')", "import pandas as p\np.read_table('a')"),
+        *(
+            "from pandas import read_csv as read",
+            "def f():\n    import pandas as pd\n    pd.read_fwf",
+        ),
+    ],
+)
+def test_the_check_of_readers_finds(text):
+    assert used(text) & READERS

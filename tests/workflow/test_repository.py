@@ -1,5 +1,6 @@
 """What the pages about the repository say agrees with the repository."""
 
+import json
 import re
 import subprocess
 import tomllib
@@ -17,7 +18,13 @@ def test_citation_version_and_licence_agree_with_the_package():
     citation = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
     package = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     assert citation["version"] == package["version"]
-    assert (ROOT / "LICENSE").read_text("utf-8").startswith(f"{citation['license']} License")
+    licence = " ".join((ROOT / "LICENSE").read_text("utf-8").split())
+    assert licence.startswith(f"{citation['license']} License")
+    assert "to deal in the Software without restriction" in licence
+    for name in (".zenodo.json", "codemeta.json"):
+        about = json.loads((ROOT / name).read_text("utf-8"))
+        assert about["license"].rpartition("/")[2] == citation["license"], name
+        assert citation["title"].startswith(about.get("title", citation["title"])), name
     assert {"cff-version", "message", "title", "authors"} <= set(citation)  # required by CFF 1.2
 
 
@@ -38,8 +45,9 @@ def test_a_version_has_ten_lines_and_a_page_with_all():
     sections = re.split(r"(?m)^## ", text)[1:]
     assert sections
     for section in sections:
-        lines = re.findall(r"(?m)^- ", section)
+        lines = re.findall(r"(?m)^\s*(?:([-*+])|\d+[.)]) ", section)
         assert 0 < len(lines) <= 10, section.splitlines()[0]
+        assert set(lines) == {"-"}, section.splitlines()[0]
         (page,) = re.findall(r"\[All of [\d.]+\]\(([^)]+)\)", section)
         assert (ROOT / page).is_file()
 
@@ -67,6 +75,12 @@ def test_contributing_names_places_and_targets_that_exist():
     assert len(named) > 20
     tops = ROOT, ROOT / "docs/examples/friction"
     assert [p for p in named if not any((top / p).is_file() for top in tops)] == []
+    folders = {one for one in re.findall(rf"`((?:{folders})/[\w/]+/)`", text) if "<" not in one}
+    own = {"workflow/studies/friction/"}  # a newcomer's
+    assert [one for one in folders - own if not (ROOT / one).is_dir()] == []
+    links = {one.partition("#")[0] for one in re.findall(r"\]\((?!http)([^)]+)\)", text)}
+    assert links
+    assert [one for one in links if one and not (ROOT / one).exists()] == []
     targets = set(re.findall(r"^(\w+):", (ROOT / "Makefile").read_text("utf-8"), re.MULTILINE))
     assert set(re.findall(r"^make (\w+)", text, re.MULTILINE)) <= targets
     recipe = (ROOT / "Makefile").read_text("utf-8")
@@ -87,8 +101,10 @@ def test_tests_of_a_group_run_in_one_process(request):
 def test_results_are_not_committed():
     try:
         done = subprocess.run(
-            ["git", "ls-files", "results"], cwd=ROOT, capture_output=True, text=True, check=True
+            ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True
         )
     except (OSError, subprocess.CalledProcessError):
         pytest.skip("not a git clone")
-    assert set(done.stdout.split()) <= {"results/README.md"}
+    folders = {"results", ".snakemake", "build", "__pycache__"}
+    found = {one for one in done.stdout.splitlines() if folders & {*Path(one).parent.parts}}
+    assert found <= {"results/README.md"}

@@ -9,7 +9,6 @@ import sys
 from pathlib import Path
 
 import pytest
-import yaml
 from code_rules import commands
 from rocking.configuration import config
 
@@ -23,8 +22,12 @@ MAY = {
     "yade_scripts": {"numpy"},
     "workflow/studies": {
         *("numpy", "scipy", "pandas", "matplotlib", "yaml", "pytest"),
-        *("jinja2", "markupsafe", "weasyprint"),
+        *("jinja2", "markupsafe", "meshio", "weasyprint"),
         *("smdof", "yade_scripts", "rocking", "studies"),
+    },
+    "workflow/scripts": {
+        *("numpy", "scipy", "pandas", "matplotlib"),
+        *("smdof", "yade_scripts", "rocking"),
     },
     "workflow/rocking": {
         *(
@@ -38,7 +41,7 @@ MAY = {
             "matplotlib",
             "PIL",
         ),
-        *("meshio", "pygments"),
+        *("pygments",),
         *("smdof", "yade_scripts", "rocking"),
     },
 }
@@ -47,6 +50,9 @@ MORE = {
     "yade_scripts/__main__.py": {"studies"},  # commands of studies, see `commands`
     "yade_scripts/commands/check_yade.py": {"yade"},  # whether it is there
     "yade_scripts/commands/view.py": {"yade"},  # its window
+    "workflow/scripts/studies/collapse.py": {"studies"},  # the module that its rule names
+    "workflow/scripts/studies/table.py": {"studies"},
+    "workflow/scripts/studies/figure.py": {"studies"},
     "workflow/rocking/runtime/warm.py": {"snakemake"},  # what it starts
     "workflow/rocking/runtime/made_of.py": {"snakemake"},  # what it tells which files are stale
     "workflow/rocking/start.py": {"snakemake"},  # what it starts
@@ -56,13 +62,16 @@ MORE = {
 
 def imported(text):
     """Outermost packages that a source imports, also late, relative ones and texts left out."""
-    found = set()
-    for node in ast.walk(ast.parse(text)):
+    found, tree = set(), ast.parse(text)
+    loaders = {"import_module", "__import__"}
+    for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             found |= {alias.name.partition(".")[0] for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and not node.level:
             found.add(node.module.partition(".")[0])
-        elif isinstance(node, ast.Call) and ast.unparse(node.func).endswith("import_module"):
+            loaders |= {one.asname for one in node.names if one.name in loaders and one.asname}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and ast.unparse(node.func).rpartition(".")[2] in loaders:
             found |= {w.value.partition(".")[0] for w in ast.walk(node) if type_of(w) is str}
     return {name for name in found if name not in {"__main__", "", *sys.stdlib_module_names}}
 
@@ -106,11 +115,51 @@ def test_what_a_study_runs_in_yade_stands_on_numpy_and_yade_scripts_alone():
         ("def late():\n    from rocking.records import load", {"rocking"}),
         ("import importlib\nimportlib.import_module('rocking.risk')", {"rocking"}),
         ("from importlib import import_module as i\nfrom . import own\nimport os.path", set()),
+        ("from importlib import import_module as i\ni('rocking.risk')", {"rocking"}),
+        ("import importlib as i\ni.import_module(name='rocking.risk')", {"rocking"}),
+        ("__import__('rocking.risk')", {"rocking"}),
         ("import numpy as np, scipy.linalg", {"numpy", "scipy"}),
     ],
 )
 def test_the_check_of_imports_finds(text, names):
     assert imported(text) == names
+
+
+FILES = {"os", "io", "pathlib", "shutil", "tempfile", "glob", "json", "csv", "yaml", "subprocess"}
+OPENS = re.compile(
+    r"open|load|loadtxt|genfromtxt|fromfile|memmap|save\w*|tofile|(read|write)_(text|bytes)"
+)
+
+
+def touches_files(text):
+    """What a source does that reads or writes a file: modules, and calls by the names they have."""
+    tree, found = ast.parse(text), set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            found |= {one.name for one in node.names if one.name.partition(".")[0] in FILES}
+        elif isinstance(node, ast.ImportFrom) and (node.module or "").partition(".")[0] in FILES:
+            found.add(node.module)
+        elif isinstance(node, ast.Call):
+            name = ast.unparse(node.func).rpartition(".")[2]
+            found |= {name} if OPENS.fullmatch(name) else set()
+    return found
+
+
+def test_the_chain_s_library_knows_no_files():
+    paths = sorted((ROOT / "smdof").rglob("*.py"))
+    assert len(paths) > 3
+    assert {path.name: found for path in paths if (found := touches_files(path.read_text()))} == {}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *("def f(p): return open(p)", "from pathlib import Path", "import os.path as p"),
+        *("import numpy as np\nnp.savetxt('a', x)", "def f(p): return p.read_text()"),
+    ],
+)
+def test_the_check_of_files_finds(text):
+    assert touches_files(text)
 
 
 def bare(text):
@@ -134,8 +183,9 @@ def not_depended_on(block):
     stamped = set(re.findall(r'command_code\("(\w+)"\)', inputs[1] if inputs else ""))
     started = set()
     for command in commands(block):
-        started |= set(re.findall(r"\{params\.yade\}\s+(\w+)", command or ""))
-        started |= set(re.findall(r"yade_scripts\S*\s+(\w+)", command or ""))
+        started |= set(re.findall(r"\{params\.yade\}\s+(\S+)", command or ""))
+        started |= set(re.findall(r"yade_scripts\.commands\.(\w+)", command or ""))
+        started |= set(re.findall(r"yade_scripts(?!\.commands)\S*\s+(\S+)", command or ""))
     return started, started - stamped
 
 
@@ -172,6 +222,8 @@ AMONG_OUTPUTS = 'd="d",\n    output:\n        command_code("ida"),'
         ('modules=command_code("ida"),\n    output:\n        "o",', AMONG_OUTPUTS, {"ida"}),
         ("{input.case:q}", "{input.case:q} && {params.yade} pushover", {"pushover"}),
         ("{params.yade} ida", "/usr/bin/python3 -m yade_scripts walls", {"walls"}),
+        ("{params.yade} ida", "python3 -m yade_scripts.commands.walls", {"walls"}),
+        ("{params.yade} ida", "{params.yade} {wildcards.command:q}", {"{wildcards.command:q}"}),
     ],
 )
 def test_the_check_of_commands_finds_what_no_input_stands_for(old, new, missing):
@@ -188,7 +240,15 @@ def takes_all(text):
     tree = ast.parse(text)
     held = {child: node for node in ast.walk(tree) for child in ast.iter_child_nodes(node)}
     every = [n for n in ast.walk(tree) if isinstance(n, ast.Attribute) and n.attr == "input"]
+    every += [n for n in ast.walk(tree) if isinstance(n, ast.Call) and "input" in looked_up(n)]
     return any(whole(node, tree, held) for node in every)
+
+
+def looked_up(call):
+    """Name that `getattr` looks up, as a list."""
+    if ast.unparse(call.func) != "getattr":
+        return []
+    return [one.value for one in call.args[1:2] if type_of(one) is str]
 
 
 def whole(node, tree, held):
@@ -197,7 +257,9 @@ def whole(node, tree, held):
     if isinstance(above, ast.Attribute):
         return above.attr in WHOLE
     if isinstance(above, ast.Subscript) and above.value is node:
-        return not isinstance(above.slice, ast.Name) and type_of(above.slice) is not str
+        if isinstance(above.slice, ast.Name):
+            return above.slice.id in counted(tree)
+        return type_of(above.slice) is not str
     if isinstance(above, ast.Call) and ast.unparse(above.func) == "getattr":
         return False
     target = None
@@ -211,6 +273,15 @@ def whole(node, tree, held):
         return True
     names = [n for n in ast.walk(tree) if isinstance(n, ast.Name) and n.id == target.id]
     return any(whole(n, tree, held) for n in names if isinstance(n.ctx, ast.Load))
+
+
+def counted(tree):
+    """Names that a loop counts with: those of a `for` over `range` or `enumerate`."""
+    loops = [n for n in ast.walk(tree) if isinstance(n, ast.For | ast.comprehension)]
+    over = ("range", "enumerate")
+    loops = [n for n in loops if isinstance(n.iter, ast.Call) and ast.unparse(n.iter.func) in over]
+    first = [n.target.elts[0] if isinstance(n.target, ast.Tuple) else n.target for n in loops]
+    return {ast.unparse(one) for one in first}
 
 
 def test_no_script_takes_all_inputs_for_data():
@@ -229,6 +300,9 @@ def test_no_script_takes_all_inputs_for_data():
         *("for path in job.input:\n    print(path)", "given = job.input\nlist(given)"),
         *("given, p = job.input, job.params\nprint(*given)", "first = job.input[0]"),
         "x = [p for p in snakemake.input.values()]",
+        "given = list(getattr(job, 'input'))",
+        "for i in range(3):\n    print(job.input[i])",
+        "given = [job.input[i] for i, _ in enumerate(names)]",
     ],
 )
 def test_the_check_of_inputs_finds(line):
@@ -241,51 +315,6 @@ def test_the_check_of_inputs_finds(line):
 )
 def test_the_check_of_inputs_leaves(line):
     assert not takes_all(line)
-
-
-def installed(text):
-    """Installations of a shell script: the words of each, comments left out."""
-    text = re.sub(r"(?m)(^|\s)#.*$", "", text)
-    named = dict(re.findall(r'(?m)^ *(\w+)="([^"]*pip install[^"]*)"', text))
-    for name, value in named.items():
-        text = text.replace(f"${name} ", f"{value} ")
-    return [
-        line
-        for line in text.splitlines()
-        if re.search(r"\bpip3? install\b", line) and '="' not in line
-    ]
-
-
-def test_setup_installs_by_hash_or_nothing_from_elsewhere():
-    text = (ROOT / "tools/setup.sh").read_text("utf-8")
-    locks = re.findall(r"\block=(\S+)", text)
-    assert locks == ["requirements.lock", "requirements-all.lock"]
-    found = installed(text)
-    assert len(found) == 3
-    for line in found:
-        own = "--no-deps" in line and line.rstrip().endswith("--editable .")
-        held = "--require-hashes " in line and line.rstrip().endswith((".lock", " $lock"))
-        assert own or held, line
-
-
-def test_everything_that_ci_uses_is_named_by_its_commit():
-    """Read as YAML, at any depth and however it is quoted."""
-
-    def used(node):
-        if isinstance(node, dict):
-            for key, value in node.items():
-                if key == "uses":
-                    yield value
-                else:
-                    yield from used(value)
-        elif isinstance(node, list):
-            for value in node:
-                yield from used(value)
-
-    files = sorted((ROOT / ".github").rglob("*.y*ml"))
-    found = [one for path in files for one in used(yaml.safe_load(path.read_text("utf-8")))]
-    assert found
-    assert [one for one in found if not re.fullmatch(r"[\w/.-]+@[0-9a-f]{40}", one)] == []
 
 
 def test_commands_of_make_that_the_page_names_inline_are_targets():

@@ -78,7 +78,8 @@ def test_hostile_scenario_names_are_refused(name):
         config.expand_scenarios({"scenarios": {name: {"seed": 2}}, "scenario": "all"})
 
 
-def test_configuration_files_cannot_make_objects():
+def test_configuration_files_cannot_make_objects(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
     with pytest.raises(config.ConfigError):
         check_text("run: !!python/object/apply:os.system ['touch pwned']", "own.yaml")
     assert not Path("pwned").exists()

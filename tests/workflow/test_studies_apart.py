@@ -2,47 +2,120 @@
 
 import ast
 import os
+import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from code_rules import as_python
 from rocking.configuration.targets import targets
 
 ROOT = Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "workflow" / "studies"
 NAMES = sorted(path.parent.name for path in STUDIES.glob("*/rules.smk"))
-CORE = ("smdof", "yade_scripts", "workflow/rocking", "workflow/scripts", "workflow/rules", "tests")
+CORE = ("smdof", "yade_scripts", "workflow/rocking", "workflow/scripts", "tools", "tests")
 LIMIT_S = 300.0
 
 
-def imported(path):
-    """Studies that a file of Python imports by name, also within its functions."""
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-        modules = [node.module or ""] if isinstance(node, ast.ImportFrom) else []
-        modules += [one.name for one in node.names] if isinstance(node, ast.Import) else []
-        for module in modules:
-            if module.partition(".")[0] == "studies":
-                yield module.split(".")[1] if "." in module else node.names[0].name
+def imported(text, own=""):
+    """Studies that a source imports by name: late, relative to its package `own`, or by a text."""
+    found, tree, loaders = set(), ast.parse(text), {"import_module", "__import__"}
+    for node in ast.walk(tree):
+        modules = []
+        if isinstance(node, ast.Import):
+            modules = [one.name for one in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            above = own.split(".")[: len(own.split(".")) - node.level + 1] if node.level else []
+            base = [*above, *filter(None, [node.module])]
+            modules = [".".join([*base, one.name]) for one in node.names]
+            loaders |= {one.asname for one in node.names if one.name in loaders and one.asname}
+        found |= {name.split(".")[1] for name in modules if name.startswith("studies.")}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and ast.unparse(node.func).rpartition(".")[2] in loaders:
+            for one in ast.walk(node):
+                said = one.value if isinstance(one, ast.Constant) else ""
+                if isinstance(said, str) and re.match(r"studies\.\w", said):
+                    found.add(said.split(".")[1])
+    return found
+
+
+def files_named(text):
+    """Studies whose folder a source goes into: `STUDIES / "friction"`, "studies/friction/a.csv".
+
+    A page may be pointed to.
+    """
+    found = set()
+    for node in ast.walk(ast.parse(text)):
+        said = getattr(node, "value", None) if isinstance(node, ast.Constant) else None
+        if isinstance(said, str):
+            found |= {name for name, _ in re.findall(r"studies/(\w+)/(?!page\.md)(.)", said)}
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div):
+            right = getattr(node.right, "value", None)
+            found |= {right.split("/")[0]} if isinstance(right, str) else set()
+    return found & {*NAMES}
+
+
+def within(path):
+    """Package of a file of a study."""
+    return ".".join(path.relative_to(STUDIES.parent).parent.parts)
 
 
 def test_there_are_studies():
     assert len(NAMES) > 10
 
 
-def test_nothing_else_imports_a_study():
+def test_nothing_else_imports_a_study_or_goes_into_its_folder():
     paths = [path for top in CORE for path in (ROOT / top).rglob("*.py")]
     assert len(paths) > 300
-    assert [
-        (str(path.relative_to(ROOT)), *imported(path)) for path in paths if [*imported(path)]
-    ] == []
+    texts = {str(path.relative_to(ROOT)): path.read_text("utf-8") for path in paths}
+    assert {name: found for name, text in texts.items() if (found := imported(text))} == {}
+    core = {name: text for name, text in texts.items() if not name.startswith("tests/")}
+    assert {name: found for name, text in core.items() if (found := files_named(text))} == {}
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_study_imports_no_other(name):
+def test_a_study_imports_no_other_and_goes_into_no_other_s_folder(name):
     for path in (STUDIES / name).rglob("*.py"):
-        assert set(imported(path)) <= {name}, path.name
+        text = path.read_text("utf-8")
+        assert imported(text, within(path)) <= {name}, path.name
+        assert path.name.startswith("test_") or files_named(text) <= {name}, path.name
+    for path in (STUDIES / name).rglob("*.smk"):
+        text = as_python(path.read_text("utf-8"))
+        assert files_named(text) | imported(text) <= {name}, path.name
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(
+            "import studies.b.study as s",
+            "from studies.b.study import x",
+            "from studies import a, b",
+        ),
+        *("from ..b import x", "from .. import b", "def late():\n    from ..b.study import x"),
+        "from importlib import import_module as i\ni('studies.b.study')",
+        "import importlib\nimportlib.import_module(name='studies.b')",
+    ],
+)
+def test_the_check_of_imports_finds(text):
+    assert imported(text, "studies.a") - {"a"} == {"b"}
+
+
+@pytest.mark.parametrize(
+    "text", ["from . import study", "from .study import x", "from studies.a import b"]
+)
+def test_the_check_of_imports_leaves(text):
+    assert imported(text, "studies.a") <= {"a"}
+
+
+@pytest.mark.skipif(not NAMES, reason="studies are deleted")
+def test_the_check_of_folders_finds():
+    name = NAMES[0]
+    for text in (f"STUDIES / '{name}' / 'a'", f"a = 'workflow/studies/{name}/scenario.yaml'"):
+        assert files_named(text) == {name}
+    assert files_named(f"a = 'workflow/studies/{name}/page.md'") == set()
 
 
 def planned(project, *words):
@@ -68,6 +141,9 @@ def test_without_any_of_them_the_main_job_is_planned(tmp_path):
         shutil.move(tmp_path / "workflow" / "studies" / name, tmp_path / name)
     status, said = planned(tmp_path)
     assert status == 0, said
+    status, said = planned(tmp_path, "--config", "models=W2m")  # no study finds its mass
+    assert status == 1
+    assert "return_wall.building_mass_kg: null; W2m takes the building's mass" in said
     assert targets(tmp_path) == targets(study=None)
     words = ["-m", "pytest", "--collect-only", "-q", "-n0", "tests"]
     done = subprocess.run(

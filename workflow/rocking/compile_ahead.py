@@ -22,8 +22,8 @@ from rocking import solver
 from rocking.collapse.scan import layouts
 from rocking.configuration.config import resolve
 from rocking.configuration.study import as_in_the_study
-from rocking.mechanics import column, rocking_block
-from rocking.reference import Motion, simulate, simulate_batch
+from rocking.mechanics import column
+from rocking.reference import Steps, SupportTable, simulate, simulate_batch
 from rocking.reference.facade import wall_of
 from rocking.reference.stack import StackSolver
 from rocking.runtime import warm
@@ -55,12 +55,11 @@ def planar(model, motions=0, block=False):
 
 
 def others():
-    """The reference solvers, the rigid block and the column."""
+    """The reference solvers, and the column."""
     wall = wall_of(case("W1", block=True)[0], 3)
-    motion = Motion(1.0, STILL)
+    motion = SupportTable(1.0, STILL)
     simulate(wall, motion)
-    simulate_batch(wall, motion, dt_s=1e-2)
-    rocking_block.peak_rotation(STILL, 1.0, 6.48, 0.375)
+    simulate_batch(wall, motion, steps=Steps(fixed_s=1e-2))
     column.capacity(0.5, 0.05, 0.06)
     own, _ = case("W2m", block=True)
     own = {**own, "return_wall": {**own["return_wall"], "building_mass_kg": 1.0}}

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from rocking.configuration.files import refuse_harmful
 from rocking.configuration.schema import ConfigError
+from rocking.runtime import results_folder
 
 
 def guard():
@@ -29,6 +30,24 @@ def guard():
         return read(configpath_or_obj, filetype)
 
     configfile._load_configfile = guarded
+
+
+def look_at_folder():
+    """Let Snakemake look at the folder of `--directory` before it goes there, however it is spelt.
+
+    It makes one that is not there, and ends in a traceback where it cannot.
+    """
+    from snakemake import cli
+
+    parse = cli.parse_args
+
+    def looked_at(argv):
+        parser, words = parse(argv)
+        if words.directory and (fault := results_folder.unreachable(words.directory)):
+            sys.exit(f"error: --directory {words.directory}: {fault}")
+        return parser, words
+
+    cli.parse_args = looked_at
 
 
 def settle_caches(folder=".snakemake/cache"):
@@ -55,6 +74,7 @@ def main():
     """Start Snakemake with the words of the command line."""
     settle_caches()
     guard()
+    look_at_folder()
     from snakemake.cli import main as snakemake
 
     return snakemake()

@@ -93,6 +93,9 @@ if workflow.is_main_process and "check" not in sys.argv:  # that target says so 
     terminal.warn([str(f) for f in FINDINGS if f.status == "warning"])
 if workflow.is_main_process:
     terminal.warn(unlikely.lines(RUNS.settings))
+    said = progress.planning(sum(len(RUNS.curves(run)) for run in RUNS.settings))
+    if said and "check" not in sys.argv:
+        print(said, file=sys.stderr, flush=True)
 
 SHARED = RUNS.shared
 
@@ -102,7 +105,7 @@ def stamped(path):
     try:
         return str(stamps.stamp(path))
     except OSError as error:
-        stop(error)
+        stop(f"{error.filename}: {error.strerror}: expected a file or none; move away what is there")
 
 
 def code(script, study=None):

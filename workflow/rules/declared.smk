@@ -63,28 +63,6 @@ def table_of(study, rule_name, tables=None, **outputs):
             str(BASE / "workflow/scripts/studies/table.py")
 
 
-def with_planar_models(target):
-    """Decorator: a function of a run's name, its models with a planar counterpart.
-
-    What is decorated takes a run's configuration and returns the variants that the target tries
-    first; a façade that cannot have one of them ends the workflow in one line.
-    """
-
-    def decorate(trials):
-        @cache
-        def models(run):
-            from rocking.collapse.additions import planar_models  # slow to load
-
-            try:
-                return planar_models(RUNS.settings[run], trials(RUNS.settings[run]))
-            except configuration.ConfigError as error:
-                stop(f"{target}: {error.detail}")
-
-        return models
-
-    return decorate
-
-
 def yade_runs_of(study, rule_name, plan, path, first=None):
     """Rule `rule_name`: what YADE says of the runs that a study's plan lists for one curve.
 

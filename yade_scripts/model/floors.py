@@ -58,13 +58,13 @@ def lever_of(row, thickness_m):
     return 0.5 * thickness_m if row.arm_m is None else row.arm_m
 
 
-def level_loads(facade, shape, blocks, walls, beds):
+def level_loads(shape, blocks, walls, beds):
     """Append the blocks of loads that are flat or have inertia, at rest on the façade's top.
 
     Returned are floors that press on those without inertia. `beds` are the façade's `facade.Beds`,
     `walls` as of `facade_floors`.
     """
-    pressing = []
+    pressing, facade = [], beds.facade
     top = 1 + len(shape.hinges_m)
     upper = shape.height_m - max([0.0, *shape.hinges_m])
     jkn = facade.base_stiffness_pa_m or facade.e_mpa * 1e6 / (0.5 * upper)

@@ -16,10 +16,10 @@ import numpy as np
 from yade_scripts.model.gravity import GRAVITY_M_S2
 
 
-def hinge_stiffness(facade, shape):
+def hinge_stiffness(e_mpa, shape):
     """Joint stiffness jkn of each hinge from the lowest up [Pa/m]."""
     edges = np.array([0.0, *shape.hinges_m, shape.height_m])
-    return facade.e_mpa * 1e6 / (0.5 * (edges[2:] - edges[:-2]))
+    return e_mpa * 1e6 / (0.5 * (edges[2:] - edges[:-2]))
 
 
 def pieces(facade, shape, whole):
@@ -27,7 +27,7 @@ def pieces(facade, shape, whole):
     sunk, found = -whole.displacement_m[2], []
     joints = [shape.joint_at(z) for z in shape.hinges_m]
     areas = np.array([(y1 - y0) * (shape.width_m - lost) for y0, y1, lost in joints])
-    settling = [0.0, *(1.0 / (areas * hinge_stiffness(facade, shape)))]
+    settling = [0.0, *(1.0 / (areas * hinge_stiffness(facade.e_mpa, shape)))]
     parts = shape.pieces
     for k, (mass, centre, tensor, size) in enumerate(parts):
         rows = [row for row in facade.floors if shape.piece_at(row.height_m) >= k]

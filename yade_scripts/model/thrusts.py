@@ -40,11 +40,11 @@ def thrust_ties(rows, walls, blocks, shape):
     return found
 
 
-def leaning(facade, shape):
+def leaning(floors, thrusts, shape):
     """Weight with loads [N], and the lever at which it would do what thrusts do with it at rest.
 
     As `floors.loaded`, with the arm less Σ F z/W.
     """
-    weight, (arm, height) = loaded(facade.floors, shape)
-    moment = sum(row.force_n * row.height_m for row in facade.thrusts)
+    weight, (arm, height) = loaded(floors, shape)
+    moment = sum(row.force_n * row.height_m for row in thrusts)
     return weight, (arm - moment / weight, height)

@@ -283,14 +283,18 @@ class Motion:
 
     @classmethod
     def of_workflow(cls, path: str | PathLike, name: str = "") -> "Motion":
-        """Floor motions that the workflow wrote, `smdof/{record}_{n}dof.csv`: of the case's chain.
+        """Floor motions that the workflow wrote, `smdof/{record}_{n}dof.csv`.
+
+        They are of the case's chain, or at several intensities those of another program.
 
         Raises
         ------
         ValueError
             In one line that names the file.
         """
-        return cls(floors=floor_motions.read(path), label=name, file=str(path), of_chain=True)
+        floors = floor_motions.read(path)
+        own = not isinstance(floors[1], yielding.TabulatedFloors)
+        return cls(floors=floors, label=name, file=str(path), of_chain=own)
 
     @property
     def name(self) -> str:

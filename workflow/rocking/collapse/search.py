@@ -9,8 +9,6 @@ for runs of minutes stand). Nothing here knows a façade, a motion or a solver::
     scan       a climb, realisations about every change of outcome, and more below the lowest fall
                until what could hide there would have been found: the dense scan
     crossings  where 10 and 50 % of the realisations first collapse: a short climb for many curves
-    dense      a climb, then equal steps from below its lowest fall to where all fall
-    neighbour  the lowest level that falls, from a guess up or down
 """
 
 import math
@@ -248,35 +246,6 @@ def below(seen, wanted):
         yield from seen.ask(np.concatenate(realisations), realisations=True)
 
 
-def dense(start_g, settings, block=16):
-    """Ask for a `climb`, then for steps of `fine_step` up to where everything falls.
-
-    The steps begin below the lowest fall of the climb, and end where all that was run within
-    ± `amplitude_spread` of some amplitude fell.
-
-    Parameters
-    ----------
-    start_g, settings, block
-        As of `climb`; settings has fine_step and amplitude_spread too.
-    """
-    seen = yield from climb(start_g, settings, block)
-    if not seen.fell.any():
-        return
-    last, ratio = settings["max_pga_g"], 1.0 + settings["level_ratio"]
-    spread, step = settings["amplitude_spread"], 1.0 + settings["fine_step"]
-    at = seen.pga_g[seen.fell].min() * (1.0 - spread) ** 2 / ratio
-    while at < last:
-        more = at * step ** np.arange(block)
-        yield from seen.ask(more[more <= last], realisations=True)
-        at *= step**block
-        order = np.argsort(seen.pga_g, kind="stable")
-        pga_g = seen.pga_g[order]
-        within = pga_g[pga_g < at * (1.0 - spread)]  # counted in full
-        share, _ = probability(pga_g, seen.fell[order], within, spread)
-        if share.max() == 1.0:
-            break
-
-
 def crossings(start_g, max_pga_g, ratio):
     """Find where 10 and 50 % of the realisations first collapse, for many curves.
 
@@ -312,37 +281,3 @@ def crossings(start_g, max_pga_g, ratio):
         if pga_g.size and pga_g[-1] >= found[-1] * (1.0 + SPREAD):
             break
     return found
-
-
-def neighbour(level, max_pga_g, guess=0, block=1):
-    """Find the lowest level that falls, from a guess up, or down if that falls.
-
-    Parameters
-    ----------
-    level : callable
-        PGA of level k [g], ascending.
-    max_pga_g : float
-    guess : int
-    block : int
-        Levels asked for at once on the way up.
-
-    Returns
-    -------
-    int or None
-    """
-
-    def falling(levels):
-        status = yield Ask([level(k) for k in levels])
-        return [k for k, outcome in zip(levels, status, strict=True) if outcome == "overturned"]
-
-    k = guess
-    if (yield from falling([k])):
-        while k > 0 and (yield from falling([k - 1])):
-            k -= 1
-        return k
-    while level(k) < max_pga_g:
-        more = [j for j in range(k + 1, k + 1 + block) if level(j - 1) < max_pga_g]
-        if fell := (yield from falling(more)):
-            return fell[0]
-        k = more[-1]
-    return None

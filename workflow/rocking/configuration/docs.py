@@ -103,9 +103,7 @@ def render() -> str:
     """Return the text of config/README.md: how to override, then which keys a section has."""
     example = EXAMPLES / "heights_and_damping.yaml"
     text = INTRO.replace("{example}", example.read_text("utf-8"))
-    for name, schema in config_schema.sections().items():
-        if study_of(name):
-            continue
+    for name, schema in of_folder(config_schema.FOLDER):
         keys = ", ".join(f"`{path}`" for path, _ in config_schema.leaves(schema))
         title = schema.get("title", name)
         title = title[0].upper() + title[1:]
@@ -113,19 +111,22 @@ def render() -> str:
     return text
 
 
-def study_of(section: str) -> Path | None:
-    """Folder of the study whose section it is; None of the core's."""
-    folder = config_schema.files()[section].parent
-    return folder if folder.parent == config_schema.STUDIES else None
+def of_folder(folder: Path) -> list[tuple[str, dict]]:
+    """Sections that the schemas of a folder describe, or add keys to: the top level first."""
+    found = [
+        (name, config_schema.read(path))
+        for name, path in config_schema.files()
+        if path.parent == folder
+    ]
+    return sorted(found, key=lambda one: one[0] != config_schema.TOP)
 
 
 def sections() -> dict[str, str]:
     """Return the text of docs/keys/{section}.md by the file's name, a table of its keys."""
     pages = {}
-    for name, schema in config_schema.sections().items():
-        if not study_of(name):
-            lines = [f"# {_heading(name)}: {schema.get('title', name).lower()}", "", WRITTEN, ""]
-            pages[f"{_stem(name)}.md"] = "\n".join([*lines, *_keys(schema, HOW)]) + "\n"
+    for name, schema in of_folder(config_schema.FOLDER):
+        lines = [f"# {_heading(name)}: {schema.get('title', name).lower()}", "", WRITTEN, ""]
+        pages[f"{_stem(name)}.md"] = "\n".join([*lines, *_keys(schema, HOW)]) + "\n"
     return pages
 
 
@@ -135,13 +136,14 @@ def studies() -> dict[Path, str]:
     for rules in sorted(config_schema.STUDIES.glob("*/rules.smk")):
         folder = rules.parent
         lines = [f"# `{folder.name}`: targets and keys", "", WRITTEN, ""]
-        lines += ["| target | what it makes | costs |", "|---|---|---|"]
-        own = targets.targets(study=folder.name)
-        lines += [f"| `{name}` | {one.makes} | {one.costs} |" for name, one in own.items()]
-        for name, schema in config_schema.sections().items():
-            if study_of(name) == folder:
-                title = schema.get("title", name).lower()
-                lines += ["", f"## `{name}`: {title}", "", *_keys(schema, HOW_STUDY)]
+        if own := targets.targets(study=folder.name):
+            lines += ["| target | what it makes | costs |", "|---|---|---|"]
+            lines += [f"| `{name}` | {one.makes} | {one.costs} |" for name, one in own.items()]
+        else:
+            lines += ["No target: its files are asked for by name, as its rules say."]
+        for name, schema in of_folder(folder):
+            title = schema.get("title", name).lower()
+            lines += ["", f"## `{name}`: {title}", "", *_keys(schema, HOW_STUDY)]
         pages[folder / "keys.md"] = "\n".join(lines) + "\n"
     return pages
 

@@ -2,8 +2,8 @@
 
 One file `<section>.schema.yaml` describes one section, of the core in `workflow/schemas`, of a
 study in its folder of `workflow/studies`; `run` holds the keys at the top level. A file added is a
-section added to the configuration. Beside JSON Schema's own keywords (draft 2020-12) these are
-understood:
+section added to the configuration; a study's file with the name of a section of the core adds its
+keys to that. Beside JSON Schema's own keywords (draft 2020-12) these are understood:
 
 `unit`           unit of the value, "-" for dimensionless
 `below`, `at_most`  path of another key whose value is an upper limit, exclusive or inclusive
@@ -58,28 +58,34 @@ class ConfigError(ValueError):
         super().__init__(f"config: {self.detail}")
 
 
-def files(folder: Path = FOLDER) -> dict[str, Path]:
-    """Schema file of every section by name: those of a folder; of the core's, the studies' too."""
-    found = [
-        *folder.glob(f"*{ENDING}"),
-        *(STUDIES.glob(f"*/*{ENDING}") if folder == FOLDER else ()),
-    ]
-    return {path.name.removesuffix(ENDING): path for path in sorted(found)}
+def files(folder: Path = FOLDER) -> list[tuple[str, Path]]:
+    """Name of the section and schema file: those of a folder; of the core's, then the studies'."""
+    found = sorted(folder.glob(f"*{ENDING}"))
+    found += sorted(STUDIES.glob(f"*/*{ENDING}")) if folder == FOLDER else []
+    return [(path.name.removesuffix(ENDING), path) for path in found]
+
+
+def read(path: Path) -> dict:
+    """Schema of one file, models and measures named."""
+    section = yaml.load(path.read_text("utf-8"), LOADER)
+    for _, leaf in leaves(section):
+        _name_all(leaf)
+    return section
 
 
 @functools.lru_cache(maxsize=4)
 def sections(folder: Path = FOLDER) -> dict[str, dict]:
     """Schema of every section by name, the top level first, then in alphabetical order."""
-    paths = files(folder)
-    names = sorted(paths)
-    if TOP not in names:
+    loaded: dict[str, dict] = {}
+    for name, path in files(folder):
+        if (known := loaded.setdefault(name, section := read(path))) is section:
+            continue
+        if both := sorted({*known["properties"]} & {*section["properties"]}):
+            raise ValueError(f"{path}: {name}.{both[0]} stands elsewhere too")
+        known["properties"] |= section["properties"]
+    if TOP not in loaded:
         raise FileNotFoundError(f"{folder}: no {TOP}.schema.yaml")
-    names.sort(key=lambda name: name != TOP)
-    loaded = {name: yaml.load(paths[name].read_text("utf-8"), LOADER) for name in names}
-    for section in loaded.values():
-        for _, leaf in leaves(section):
-            _name_all(leaf)
-    return loaded
+    return {name: loaded[name] for name in sorted(loaded, key=lambda name: (name != TOP, name))}
 
 
 def _name_all(leaf: dict) -> None:

@@ -140,15 +140,26 @@ def _pulls(rows, move, low, high):
     return tuple(found)
 
 
-def bending(name, lower, upper, base, joint, top, loads=(), held=(), pulls=(), thrusts=()):
-    """Two blocks between held levels: vertical bending.
+class Edges(NamedTuple):
+    """Points (y, z) about which two blocks turn between levels that hold [m].
 
     The lower block turns outward about `base`, the upper one back about `joint`, the inner edge of
-    the opening between them; `top`, where it is held, moves vertically only, all (y, z). What bears
-    there lifts and does not move sideways. Masses of both blocks, loads that move with the block
-    they stand on, and what is held and bears on the upper one are (weight_n, y_m, z_m); pulls are
-    `Held`, thrusts as of `thrusting`.
+    the opening between them; `top`, where it is held, moves vertically only.
     """
+
+    base: tuple
+    joint: tuple
+    top: tuple
+
+
+def bending(name, lower, upper, edges, loads=(), held=(), pulls=(), thrusts=()):
+    """Two blocks between held levels: vertical bending.
+
+    What bears on their top lifts and does not move sideways. Masses of both blocks, loads that move
+    with the block they stand on, and what is held and bears on the upper one are (weight_n, y_m,
+    z_m); pulls are `Held`, thrusts as of `thrusting`.
+    """
+    base, joint, top = edges
     first = turning(joint, base)
     dy, dz = top[0] - joint[0], top[1] - joint[1]
     length, angle = math.hypot(dy, dz), math.atan2(dz, dy)
@@ -262,9 +273,7 @@ def two_blocks(facade, hinge_height_m):
         "vertical bending",
         [(p, 0.5 * b, z) for p, z in spread_weight(w * h1, 0.0, h1)],
         [(p, 0.5 * b, z) for p, z in spread_weight(w * (h - h1), h1, h)],
-        (b - f.hinge_inset_m, 0.0),
-        (f.hinge_inset_m, h1),
-        (b, h),
+        Edges((b - f.hinge_inset_m, 0.0), (f.hinge_inset_m, h1), (b, h)),
         held=[(f.roof_n, f.roof_arm_m, h)],
     )
 

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from rocking.configuration import config as configuration
 from rocking.configuration.schema import value_at
-from rocking.records import read_table, surrogates_for
+from rocking.records import floor_table, read_table, surrogates_for
 from rocking.runs.shared import Shared
 from rocking.stations import unnamed
 from yade_scripts.model import storeys
@@ -48,6 +48,11 @@ class Runs:
         for run, resolved in self.settings.items():
             if resolved["vertical_motion"] == "on":
                 self.check_vertical(run, "vertical_motion = on", self.records[run])
+            for row in self._rows(run):
+                if row.floors_path:
+                    from rocking.runs.floors import refuse
+
+                    refuse(resolved, row)
 
     def cfg(self, wildcards) -> dict[str, Any]:
         """Resolved configuration of the run that a job belongs to."""
@@ -171,6 +176,15 @@ class Runs:
         rows = self._rows(wildcards.run)
         paths = [path for row in rows for path in (row.path, row.vertical_path) if path]
         return list(dict.fromkeys(paths))
+
+    def floor_files(self, wildcards):
+        """Files of the floor motions that another program computed for a record."""
+        return floor_table.files_of(self.record_row(wildcards))
+
+    def floors(self, wildcards):
+        """What a record's row says of them: the table's and the file's name; None: none."""
+        row = self.record_row(wildcards)
+        return row.floors_path and [self.table_path(wildcards.run), row.floors_building]
 
     def surrogate_parameters(self, wildcards):
         """File of the surrogates' parameters, for a record without a file of its own."""

@@ -44,6 +44,21 @@ def spoken(seconds):
     return f"about {minutes // 60} h {minutes % 60} min"
 
 
+CURVE_S, CURVE_KB = 0.009, 80  # of a curve's three jobs in Snakemake's plan, on one core
+MANY = 2000  # curves: half a minute
+
+
+def planning(curves):
+    """Line about the plan of so many curves, which is silent; empty where it takes seconds."""
+    if curves < MANY:
+        return ""
+    memory_gb = curves * CURVE_KB / 1e6
+    return (
+        f"planning: {curves:,} curves; to plan them all takes {spoken(curves * CURVE_S)}"
+        f" and {memory_gb:.1g} GB of memory"
+    )
+
+
 @dataclass
 class Task:
     """One job: its kind, how to ask for its state, and its journal of finished runs if it has one.

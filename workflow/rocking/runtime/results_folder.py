@@ -25,6 +25,23 @@ def misplaced(outputs):
     return ""
 
 
+def unreachable(folder):
+    """Say in a few words why a folder can be neither entered nor made; empty where it can."""
+    path = Path(folder).absolute()
+    try:
+        os.lstat(path)
+    except (FileNotFoundError, NotADirectoryError, PermissionError):
+        pass  # what is above it tells
+    except OSError as error:  # such as a name that is too long
+        return str(error.strerror)
+    there = next(p for p in (path, *path.parents) if os.path.lexists(p))
+    if not there.is_dir():
+        return f"{there} is no folder"
+    if not os.access(there, os.X_OK if there == path else os.W_OK | os.X_OK):
+        return f"no right to {'enter' if there == path else 'make a folder in'} {there}"
+    return ""
+
+
 def fault(folder="results"):
     """Say in one line why a folder cannot take results; empty where it can.
 

@@ -3,6 +3,8 @@
 Forty files a job were most of what Snakemake spent on planning a study of thousands of jobs.
 """
 
+import contextlib
+import errno
 import os
 from functools import cache
 from pathlib import Path
@@ -32,6 +34,8 @@ def stamp(script, folder=FOLDER):
     if before == text:
         return target
     new = target.with_name(f".{os.getpid()}")
+    if any(place.is_symlink() for place in (Path(folder), target.parent, target)):
+        raise OSError(errno.ELOOP, "a link, which is not followed", str(target))
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         new.write_text(text, "utf-8")
@@ -42,7 +46,8 @@ def stamp(script, folder=FOLDER):
             os.utime(new, (dated_s := target.stat().st_mtime, dated_s))
         os.replace(new, target)
     except OSError as error:
-        new.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):  # where its folder is a file
+            new.unlink()
         raise named(error, target) from None
     return target
 

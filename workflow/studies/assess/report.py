@@ -7,6 +7,7 @@ from rocking.formula import words
 from studies.assess import (
     advice,
     appendix,
+    building_first,
     content,
     drawings,
     evidence,
@@ -57,6 +58,7 @@ def context(data, digest):
             ("Which ties?", ties_said.answer(data)),
             ("How far?", capacity_said(data)),
             ("How often?", rate_said(data)),
+            *(("Which first?", first) for first in [building_first.said(data)] if first),
             ("Not covered", f"{NOT_COVERED} {not_asked(own['mechanisms'])}".strip()),
         ],
         "rests_on": rests_on(data),

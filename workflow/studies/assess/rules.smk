@@ -157,6 +157,7 @@ rule assess_dynamic:
         rates=results("assessment/rate.csv"),
         parts=results("assessment/parts_dynamic.csv"),
         left_out=results("assessment/rate_left_out.csv"),
+        first=results("assessment/building_first.csv"),
     benchmark:
         benchmarks("assess_dynamic")
     params:
@@ -265,6 +266,7 @@ rule assess_ties:
         models=results("assessment/ties_models.csv"),
         after=results("assessment/ties_mechanisms.csv"),
         tried=results("assessment/ties_tried.csv"),
+        share=results("assessment/ties_share.csv"),
         yaml=results("assessment/ties.yaml"),
     benchmark:
         benchmarks("assess_ties")
@@ -382,4 +384,3 @@ rule assess:
 
 
 include: "code_against_dynamics.smk"
-include: "strengthening.smk"

@@ -1,5 +1,10 @@
 # The building as an assembly of bricks: modes, time histories, equal chains, explicit check.
 # Not part of the main job; ask for `building`, or for any file below.
+
+
+include: "modal.smk"
+
+
 CHAINS = (
     "damping_ratio",
     "wme_longest_period_s",

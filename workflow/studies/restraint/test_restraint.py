@@ -4,7 +4,6 @@ import numpy as np
 import pandas as pd
 import pytest
 from both_solvers import BETA_S, FEW
-from rocking.collapse.additions import planar_models
 from rocking.collapse.case import Case
 from rocking.collapse.motion import Motion
 from rocking.configuration.config import ConfigError
@@ -12,6 +11,7 @@ from study_cases import study_settings
 from yade_process import resolved
 
 from studies.restraint import study as restraint
+from studies.restraint.additions import planar_models
 
 G = 9.80665
 

@@ -3,6 +3,7 @@
 import csv
 import json
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pandas as pd
@@ -159,6 +160,16 @@ def test_a_varied_scene_has_what_the_factors_say():
     assert new["beta_s"] == pytest.approx(0.006)
     assert job["return_wall"]["length_m"] is None
     assert drawn(job, {"period_s": 1.1})["smdof"]["period_s"] == pytest.approx(0.297)
+    weak = {**job, "smdof": {**job["smdof"], "base_shear_ratio": 0.2}}
+    assert drawn(weak, {"base_shear_ratio": 0.5})["smdof"]["base_shear_ratio"] == 0.1
+
+
+def test_the_strength_of_an_elastic_building_is_not_drawn():
+    one = {**PARAMETERS[0], "parameter": "base_shear_ratio"}
+    settings = resolved(uncertainty={"parameters": [one]})
+    runs = SimpleNamespace(settings={"main": settings}, records={"main": []}, tables={})
+    with pytest.raises(ValueError, match="base_shear_ratio of a building that stays elastic"):
+        sampled_motions(runs, "main")
 
 
 def test_each_base_is_a_form_of_its_own():

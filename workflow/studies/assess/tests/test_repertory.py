@@ -4,12 +4,12 @@ import math
 
 import numpy as np
 import pytest
-from rocking.mechanics.hanging import Wedge
 from rocking.mechanics.mechanism import rate
 from studies.assess import byhand, region, shaken
 from studies.assess.code_checks import code_checks, family_of, governing, least
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.family import Family
+from studies.assess.hanging import Wedge
 from studies.assess.masonry import Masonry
 from studies.assess.names import KINDS, NAMES, SENTENCES, kind_of, not_asked
 from studies.assess.partial_width import _screened, lines, part_width
