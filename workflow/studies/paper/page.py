@@ -73,7 +73,7 @@ def _claim(start, tables):
     for line in found.fillna("").itertuples():
         source = line.records.split(":")[0] if ":" in line.records else ""
         source = f"{SOURCES.get(source, source)}: " if source else ""
-        whose = "" if line.threshold == "the study's" else " (our threshold)"
+        whose = "" if line.threshold == "the study's" else "†"
         texts.append(f"{source}{line.measured}{whose}")
     return found["holds"].tolist(), "; ".join(texts)
 
@@ -180,6 +180,5 @@ def page(data, tables, about):
             if "figure" in entry:
                 title = entry["id"].rstrip("abcdef").capitalize()
                 lines += ["", f"![{title}, as made here](figures/{entry['figure']}.png)"]
-                lines += ["", f"{title}, as made here."]
         lines.append("")
     return "\n".join(lines).rstrip() + "\n"

@@ -12,9 +12,9 @@ Every row has one of its figures, tables, equations or results, its value, the v
 they differ. Most rows that are not met rest on what the 3DEC study does not state: the building's
 plan, the widths of tested walls, the order of a motion's pulses.
 
-`given` is an input that was taken over. `open` is text that holds nothing to compare with. "Our
-threshold" marks a limit that the 3DEC study does not state. `tables/claims*.csv` hold the claims,
-for surrogates and recorded motions apart. `make study` makes this page out of `docs/study.yaml`."""
+`given` is an input that was taken over. `open` is text that holds nothing to compare with. †
+marks a limit that the 3DEC study does not state. `tables/claims*.csv` hold the claims, for
+surrogates and recorded motions apart. `make study` makes this page out of `docs/study.yaml`."""
 
 
 def main(job):

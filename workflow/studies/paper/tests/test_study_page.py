@@ -99,8 +99,7 @@ def test_a_row_takes_numbers_and_verdicts_from_the_tables():
         "claim": "it holds",
     }
     assert paper.row(entry, {"modes": modes, "claims": claims}) == (
-        "| figure 0 | a period | 0.2 s | 0.223 s; surrogates: 0.5 (our threshold); "
-        "recorded: 0.9 | partly |  |"
+        "| figure 0 | a period | 0.2 s | 0.223 s; surrogates: 0.5†; recorded: 0.9 | partly |  |"
     )
     assert paper.row(entry, {}).count(paper.NOT_RUN) == 3
     elsewhere = modes.rename(columns={"model": "record"})
