@@ -20,7 +20,6 @@ from rocking.configuration.config import (
 )
 
 ROOT = Path(__file__).resolve().parents[2]
-LEAVES = list(schema.leaves(schema.whole()))
 
 
 def test_a_grid_gives_every_combination():
@@ -109,12 +108,13 @@ def test_faults_of_a_study_are_named(config, message):
 def test_the_page_follows_the_schemas(capsys):
     assert docs.main(["--check"]) == 0, "run python -m rocking.configuration.docs"
     overview = docs.README.read_text("utf-8")
-    for path, _ in LEAVES:
-        name, _, key = path.partition(".") if "." in path else ("top_level", "", path)
-        study = None if name == "top_level" else docs.study_of(name)
-        page = study / "keys.md" if study else docs.KEYS / f"{name}.md"
-        assert f"| `{key}` |" in page.read_text("utf-8")
-        assert study or f"`{key}`" in overview
+    for section, path in schema.files():
+        study = None if path.parent == schema.FOLDER else path.parent
+        name = "top_level" if section == schema.TOP else section
+        page = (study / "keys.md" if study else docs.KEYS / f"{name}.md").read_text("utf-8")
+        for key, _ in schema.leaves(schema.read(path)):
+            assert f"| `{key}` |" in page
+            assert study or f"`{key}`" in overview
 
 
 def test_drift_of_the_page_is_found(tmp_path, monkeypatch, capsys):
