@@ -28,18 +28,20 @@ def damage(sensitivity, mechanisms, demand_g, say=SAY):
 
 
 def thinner_is_better(sensitivity, say=SAY):
-    """A line where the check allows a thinner wall more than a thicker one; else nothing.
+    """A line where the check allows a thinner wall more than the next thicker one; else nothing.
 
-    d_SLV = 0.4 d0 grows with the thickness, and so passes the displacement up to which a tie or an
-    anchor holds: there the curve has lost it.
+    Of the sensitivity's factors in turn the two between which it falls most. d_SLV = 0.4 d0 grows
+    with the thickness, and so passes the displacement up to which a tie or an anchor holds: there
+    the curve has lost it.
     """
     slv = sensitivity["check"].isin(("slv_ground", "slv_height"))
     rows = sensitivity[slv & (sensitivity["key"] == "facade.thickness_m")]
     ratio = rows.groupby("factor")["ratio"].min().sort_index()
-    if len(ratio) < 2 or ratio.iloc[-1] >= THINNER * ratio.iloc[0]:
+    grows = (ratio.shift(-1) / ratio).iloc[:-1].to_numpy()
+    if not len(grows) or grows.min() >= THINNER:
         return ""
-    thin = {"thin": ratio.index[0], "of_thin": ratio.iloc[0]}
-    return say("advice.thinner", **thin, thick=ratio.index[-1], of_thick=ratio.iloc[-1])
+    (thin, low), (thick, high) = list(ratio.items())[grows.argmin() :][:2]
+    return say("advice.thinner", thin=thin, of_thin=low, thick=thick, of_thick=high)
 
 
 def next_steps(tables, *more, say=SAY):

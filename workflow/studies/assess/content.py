@@ -132,6 +132,15 @@ def dynamic_check(data):
     }
 
 
+def bare_said(row, say):
+    """What a verdict's row says of d_SLV without the links that give way early; mostly nothing."""
+    limit_m = getattr(row, "d_slv_bare_m", float("nan"))
+    if limit_m != limit_m:
+        return ""
+    key = "table.dynamic.bare_held" if row.slv_bare else "table.dynamic.bare_lost"
+    return say(key, slv_m=limit_m)
+
+
 def _decided(data):
     """Table of the model that governs, and of the mechanism that decides in each other model."""
     say, verdicts = data.say, data.tables["verdicts"]
@@ -146,7 +155,8 @@ def _decided(data):
             say("table.model_of", model=r.model, of=data.names[r.part]),
             say("table.of", count=r.exceed_d0, all=r.motions),
             say.number(r.mean_d_m, "mm"),
-            say("table.dynamic.both_limits", slv=1e3 * r.d_slv_m, slc_m=r.d_slc_m),
+            say("table.dynamic.both_limits", slv=1e3 * r.d_slv_m, slc_m=r.d_slc_m)
+            + bare_said(r, say),
             say(f"verdict.held.{held}"),
             say(f"verdict.held.{verdict.HELD if r.slc else verdict.LOST}"),
             say.number(r.agree, "percent"),

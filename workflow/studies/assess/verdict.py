@@ -5,7 +5,7 @@ from rocking.stations import FEWEST
 from studies.assess import names
 from studies.assess.catalogue import SAY
 from studies.assess.dynamic_check import LEAST_DRAWS, surely
-from studies.assess.inputs import GOVERNS
+from studies.assess.held import GOVERNS
 from studies.assess.shaken import CORNER
 
 ROUNDED = 1e-4  # relative; tables have six figures
