@@ -94,20 +94,22 @@ def test_a_run_of_an_own_facade_begins_with_the_formula():
 def test_a_computed_median_far_from_the_formula_is_remarked_upon():
     found = law.Estimate("W2m", "pga_g", 0.3, 0.4, 0.05)
     edge = math.exp(2.0 * math.hypot(0.05, 0.4 / 4.0))
-    assert words.remark(found, 0.3 * 0.99 * edge, 16) == ""
-    assert "more than" in words.remark(found, 0.3 * 1.01 * edge, 16)
-    assert "less than" in words.remark(found, 0.3 / 1.01 / edge, 16)
-    assert words.remark(found, 0.3 * 1.01 * edge, 2) == ""  # two motions say little
-    assert words.remark(found, math.nan, 16) == ""
+    assert words.outlier(found, 0.3 * 0.99 * edge, 16) is None
+    assert words.outlier(found, 0.3 * 1.01 * edge, 2) is None  # two motions say little
+    assert words.outlier(found, math.nan, 16) is None
+    for computed_g in (0.3 * 1.01 * edge, 0.3 / 1.01 / edge):
+        one = words.outlier(found, computed_g, 16)
+        assert one == ("W2m", computed_g, *map(pytest.approx, (0.3 / edge, 0.3 * edge)))
 
 
 def test_an_assessment_says_where_its_median_is_far_from_the_formula():
     own = study_settings({"models": ["W1"], "facade": {"height_m": 7.2, "base": "column"}})
     by_formula = estimate(study_case("W1", {"facade.height_m": 7.2, "facade.base": "column"}))
     rows = [{"model": "W1", "median_pga_g": by_formula.median, "stations": 22}]
-    assert words.remarks(own, pd.DataFrame(rows)) == []
+    assert words.outliers(own, pd.DataFrame(rows)) == []
     rows[0]["median_pga_g"] *= 5.0
-    (said,) = words.remarks(own, pd.DataFrame(rows))
-    assert said.startswith("W1: the computed median")
+    (found,) = words.outliers(own, pd.DataFrame(rows))
+    assert (found.model, found.computed_g) == ("W1", rows[0]["median_pga_g"])
+    assert found.computed_g > found.high_g
     own["facade"]["ties"] = [{"height_m": 3.0}]
-    assert words.remarks(own, pd.DataFrame(rows)) == []  # no formula, nothing to say
+    assert words.outliers(own, pd.DataFrame(rows)) == []  # no formula, nothing to say
