@@ -157,9 +157,10 @@ class Settings(str):
 
     @property
     def words(self):
-        """What is set, in words; not what the workflow chooses itself, nor what there is none of.
+        """The values that are set, in words.
 
-        There is none of what an empty list says, or a 0 that is the study's: gables, gaps, courses.
+        Left out are values that the workflow chooses itself, and parts that the façade does not
+        have: an empty list, or a 0 that is the 3DEC study's (gables, gaps, courses).
         """
         usual = resolve(as_in_the_study())
         return listed(

@@ -53,7 +53,7 @@ snakemake --cores 2 --configfile config/scenarios/own_facade.yaml
 snakemake --cores 2 --configfile config/scenarios/own_facade.yaml --config 'damping={law: value}'
 ```
 
-The study with 3DEC is such a file, over which other values or another file may be laid:
+The 3DEC study is such a file, over which other values or another file may be laid:
 
 ```sh
 snakemake --configfile config/scenarios/study.yaml --config run=low models=W1 'facade={height_m: 5}'

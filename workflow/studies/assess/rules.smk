@@ -253,6 +253,12 @@ rule assess_confirm:
         "scripts/assess_confirm.py"
 
 
+def threads_of_ties(wildcards):
+    """Half of the cores, up to 4: the others do what else the report takes meanwhile."""
+    sought = RUNS.cfg(wildcards)["assessment"]["tie_levels_m"] != []
+    return max(1, min(4, (workflow.resource_settings.cores or 2) // 2)) if sought else 1
+
+
 rule assess_ties:
     input:
         **MOTIONS,
@@ -270,7 +276,8 @@ rule assess_ties:
         yaml=results("assessment/ties.yaml"),
     benchmark:
         benchmarks("assess_ties")
-    threads: lambda w: 1 if RUNS.cfg(w)["assessment"]["tie_levels_m"] == [] else 4
+    priority: 3  # as long as all else on another core
+    threads: threads_of_ties
     params:
         run=lambda w: w.run,
         table=lambda w: RUNS.table_path(w.run),
@@ -298,7 +305,7 @@ rule assess_friction:
         results("assessment/friction.csv"),
     benchmark:
         benchmarks("assess_friction")
-    priority: 1
+    priority: 2
     params:
         table=lambda w: RUNS.table_path(w.run),
         model=lambda w: governing(w.run),

@@ -22,11 +22,11 @@ HELD = {"floor_friction": False, "anchor_plate_m": 0.3, "masonry_shear_mpa": 0.0
 HELD |= {"masonry_compression_mpa": 2.6, "confidence_factor": 1.2}
 
 
-def table(within, demand=DEMAND):
-    settings = study_settings({"facade": FACADE, "smdof": CHAIN})
+def table(within, demand=DEMAND, facade=FACADE):
+    settings = study_settings({"facade": facade, "smdof": CHAIN})
     ranked = governing(family_of(settings, demand).all(), settings, demand)
     damping = {"law": "value", "beta_s": 0.001}
-    case = study_case("W1", {"facade": FACADE, "smdof": CHAIN, "damping": damping})
+    case = study_case("W1", {"facade": facade, "smdof": CHAIN, "damping": damping})
     return shaken.chosen(ranked, [case], demand.pga_g, within), case
 
 
@@ -48,6 +48,18 @@ def test_the_demand_decides_and_not_the_weakest():
     fewer, _ = table(1.0, CodeDemand(0.06, 2.5, 0.31, "C"))  # none is near a weak demand
     assert set(fewer.loc[fewer["shaken"] == 1, "part"]) == {"whole"}
     assert found.loc[found["part"] == "whole", "shaken"].iloc[0] == 1
+
+
+@pytest.mark.parametrize(("anchor_kn", "shaken_too"), [(40.0, True), (90.0, False)])
+def test_a_link_that_gives_way_early_is_shaken_however_far_from_the_demand(anchor_kn, shaken_too):
+    """Rods that yield at 68.4 kN each: on stronger anchors the same part is left out."""
+    row = {"height_m": 4.0, "diameter_mm": 22.0, "length_m": 9.0, "yield_mpa": 180.0}
+    door = {"x_m": 0.0, "z_m": 0.0, "width_m": 1.0, "height_m": 2.0}
+    facade = {**FACADE, "ties": [{**row, "anchor_kn": anchor_kn}], "openings": [door]}
+    found, _ = table(1.0, CodeDemand(0.02, 2.5, 0.31, "C"), facade)
+    own = found.set_index("part").loc["above_2.0"]
+    assert own["shaken"] == shaken_too
+    assert (own["d_slv_m"] < 0.1 * own["d_slv_bare_m"]) == shaken_too
 
 
 def test_what_is_too_stocky_is_known_by_the_kind_of_its_refusal():

@@ -1,12 +1,14 @@
 """What mechanisms are ranked by: the SLV check's PGA, and links that give way early."""
 
+import math
+
 import numpy as np
 import pytest
 from drawn_facades import several
 from studies.assess import checks
 from studies.assess.code_checks import code_checks, family_of, governing, least
 from studies.assess.code_spectrum import CodeDemand
-from studies.assess.dynamic_check import limits_of
+from studies.assess.dynamic_check import limits_of, limits_with
 from studies.assess.family import Family
 from studies.assess.sites import site_of
 from studies.assess.slv import Slv, readings
@@ -65,15 +67,20 @@ def test_a_brittle_tie_makes_no_facade_worse_and_both_numbers_are_known():
     assert ductile.pga_g == ductile.letter_pga_g > bare.pga_g
 
 
-def test_a_brittle_anchor_leaves_the_dynamic_check_the_bare_walls_limit():
-    """By the letter the top may move by the millimetres that an anchor takes; elastic sway does."""
+def test_a_brittle_anchor_sets_the_limit_of_the_dynamic_check_and_the_bare_walls_is_told():
+    """C8.7.1.2.1.6 takes the least: the millimetres that an anchor takes, not 0.4 d0."""
     bare = Family(resolved()).part(0.0, "whole").mechanism
     brittle = Family(tied(40.0)).part(0.0, "whole").mechanism
     assert brittle.limit(0.4)[0] < 0.1 * bare.limit(0.4)[0]
     found = limits_of(brittle)
-    assert found.slv_m == pytest.approx(bare.limit(0.4)[0], rel=1e-9)
+    assert found.slv_m == brittle.limit(0.4)[0]
+    assert found.bare_m == pytest.approx(bare.limit(0.4)[0], rel=1e-9)
+    ranked = whole(tied(40.0))  # without its link, as it counts by hand
+    one = Family(tied(40.0)).part(0.0, "whole")
+    assert limits_with(one._replace(mechanism=ranked.mechanism, letter=one.mechanism)) == found
     assert (found.d0_m, found.slc_m) == (brittle.ultimate()[1], 0.6 * brittle.ultimate()[1])
     assert limits_of(bare).slv_m == bare.limit(0.4)[0]
+    assert math.isnan(limits_of(bare).bare_m)
 
 
 def test_more_of_anything_that_helps_never_lowers_the_check():

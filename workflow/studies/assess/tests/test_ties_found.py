@@ -18,6 +18,7 @@ from studies.assess import (
 )
 from studies.assess.code_checks import slv_pga
 from studies.assess.code_spectrum import CodeDemand
+from studies.assess.dynamic_check import FINE
 from studies.assess.shaken import label
 from study_cases import study_case, study_settings
 
@@ -143,6 +144,7 @@ class Shaken:
     """
 
     models = ("W1",)
+    care = FINE
 
     def __init__(self, tied, asks):
         self.tied, self.asks, self.left, self.tried = tied, asks, set(), []
