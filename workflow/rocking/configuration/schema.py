@@ -59,12 +59,37 @@ class ConfigError(ValueError):
 
 
 def files(folder: Path = FOLDER) -> dict[str, Path]:
-    """Schema file of every section by name: those of a folder; of the core's, the studies' too."""
-    found = [
-        *folder.glob(f"*{ENDING}"),
-        *(STUDIES.glob(f"*/*{ENDING}") if folder == FOLDER else ()),
-    ]
-    return {path.name.removesuffix(ENDING): path for path in sorted(found)}
+    """Schema file of every section by name: those of a folder; of the core's, the studies' too.
+
+    ConfigError where two have one name.
+    """
+    found = sorted(folder.glob(f"*{ENDING}"))
+    found += sorted(STUDIES.glob(f"*/*{ENDING}")) if folder == FOLDER else []
+    by_name: dict[str, Path] = {}
+    for path in found:
+        name = path.name.removesuffix(ENDING)
+        if name in by_name:
+            raise ConfigError(f"{path}: section '{name}' is that of {by_name[name]} too")
+        by_name[name] = path
+    return by_name
+
+
+def _read(path: Path) -> dict:
+    """Schema of a section; ConfigError of one line for what is none."""
+    if not path.is_file():
+        raise ConfigError(f"{path}: expected a file")
+    try:
+        found = yaml.load(path.read_text("utf-8"), LOADER)
+    except (OSError, UnicodeDecodeError) as error:
+        raise ConfigError(f"{path}: not readable as text ({error})") from None
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        line = f" line {mark.line + 1}" if mark else ""
+        raise ConfigError(f"{path}{line}: not readable as YAML") from None
+    keys = found.get("properties") if isinstance(found, dict) else None
+    if not isinstance(keys, dict) or not all(isinstance(one, dict) for one in keys.values()):
+        raise ConfigError(f"{path}: expected a schema: properties, and below it keys")
+    return found
 
 
 @functools.lru_cache(maxsize=4)
@@ -75,7 +100,7 @@ def sections(folder: Path = FOLDER) -> dict[str, dict]:
     if TOP not in names:
         raise FileNotFoundError(f"{folder}: no {TOP}.schema.yaml")
     names.sort(key=lambda name: name != TOP)
-    loaded = {name: yaml.load(paths[name].read_text("utf-8"), LOADER) for name in names}
+    loaded = {name: _read(paths[name]) for name in names}
     for section in loaded.values():
         for _, leaf in leaves(section):
             _name_all(leaf)
