@@ -46,7 +46,7 @@ gallery: setup
 	.venv/bin/python tools/gallery.py $(ARGS)
 
 study: setup
-	$(SNAKEMAKE) --configfile config/scenarios/five_models.yaml --config run=study $(CONFIG) -- study
+	$(SNAKEMAKE) --configfile config/scenarios/study.yaml $(if $(CONFIG),--config $(CONFIG)) -- study
 	sed 's#](figures/#](pictures/study_#' results/study/study.md > docs/study.md
 	.venv/bin/python tools/gallery.py --study results/study/figures
 

@@ -207,14 +207,12 @@ class FloorMotions:
 def floor_motions(
     ground_m_s2,
     dt_s,
-    n_dof=4,
-    period_s=0.27,
+    chain=None,
     damping_ratio=0.05,
     damping_model="modal",
     rayleigh_modes=(1, 2),
     refine=None,
     tail_s=0.0,
-    chain=None,
 ):
     """Floor accelerations of a chain on a base that moves with a piecewise-linear acceleration.
 
@@ -229,8 +227,8 @@ def floor_motions(
         Ground acceleration, positive in the direction of positive displacements.
     dt_s : float
         Record step.
-    n_dof, period_s : int, float
-        Equal chain with this number of masses and first period; unused when `chain` is given.
+    chain : Chain or None
+        None is the study's, `shear_chain(4, 0.27)`.
     damping_ratio, damping_model, rayleigh_modes
         See `Chain.damping_ratios`.
     refine : int or None
@@ -238,8 +236,6 @@ def floor_motions(
     tail_s : float
         Zero ground acceleration appended, after a linear drop over one record
         step, for the floors to ring down; rounded up to whole record steps.
-    chain : Chain or None
-        A chain of the user's own.
 
     Returns
     -------
@@ -248,11 +244,13 @@ def floor_motions(
     Raises
     ------
     ValueError
-        If the motion, the chain, its damping, `refine` or `tail_s` is unusable.
+        If the motion, its damping, `refine` or `tail_s` is unusable.
     """
     ground = checked_motion(ground_m_s2, dt_s)
-    chain = chain if chain is not None else shear_chain(n_dof, period_s)
-    omega, participation = chain.modes()
+    chain = shear_chain(4, 0.27) if chain is None else chain
+    if not isinstance(chain, Chain):
+        raise TypeError(f"chain: expected a Chain, as of shear_chain, got {type(chain).__name__}")
+    omega, _ = chain.modes()
     zeta = chain.damping_ratios(damping_ratio, damping_model, rayleigh_modes)
     if not (math.isfinite(tail_s) and tail_s >= 0.0):
         raise ValueError(f"tail_s: expected a duration of at least 0, got {tail_s}")
@@ -265,7 +263,12 @@ def floor_motions(
     if tail_s > 0.0:
         ground = np.append(ground, np.zeros(1 + math.ceil(tail_s / dt_s - 1e-9)))
     ground = refine_linear(ground, int(refine))
-    step = dt_s / int(refine)
+    return _by_modes(chain, zeta, ground, dt_s / int(refine), int(refine))
+
+
+def _by_modes(chain, zeta, ground, step, refine):
+    """`FloorMotions`, of each mode with its damping ratio the exact response, in sum."""
+    omega, participation = chain.modes()
     shape = (chain.n_dof, ground.size)
     floors, displacement, velocity = np.zeros(shape), np.zeros(shape), np.zeros(shape)
     for w, z, share in zip(omega, zeta, participation.T, strict=True):
@@ -275,4 +278,4 @@ def floor_motions(
         # absolute acceleration = −M⁻¹(C u̇ + K u): exact, no differencing
         floors -= share[:, None] * (2.0 * z * w * v + w**2 * q)
     time = np.arange(ground.size) * step
-    return FloorMotions(time, ground, floors, displacement, velocity, int(refine))
+    return FloorMotions(time, ground, floors, displacement, velocity, refine)

@@ -297,9 +297,16 @@ def yielding_motions(
     h = dt_s / parts
     modes = _Modes(chain, chain.damping_ratios(damping_ratio), h)
     storeys_of = Response(storeys, chain.stiffness_n_m, factors.size)
-    kept = range(0, ground.size, every)
-    floors = np.zeros((factors.size, chain.n_dof, len(kept)))
-    place = np.zeros((factors.size, chain.n_dof))
+    floors, drift, energy = _marched(ground, h, modes, storeys_of, factors, every)
+    time = h * np.arange(0, ground.size, every)
+    return YieldingMotions(time, ground[::every], floors, drift, energy)
+
+
+def _marched(ground, h, modes, storeys_of, factors, every):
+    """Floor accelerations, largest drifts and energies of histories, in steps of h [s]."""
+    shape = factors.size, modes.shape.shape[0]
+    floors = np.zeros((*shape, len(range(0, ground.size, every))))
+    place = np.zeros(shape)
     speed, drift, pushed = place.copy(), place.copy(), place.copy()
     spent = np.zeros((2, factors.size))
     for i, a_g in enumerate(ground):
@@ -327,7 +334,7 @@ def yielding_motions(
         "stored": 0.5 * np.sum(speed**2, axis=1)
         + np.sum(0.5 * storeys_of.shear_n**2 / storeys_of.k, axis=1),
     }
-    return YieldingMotions(h * np.array(kept), ground[::every], floors, drift, energy)
+    return floors, drift, energy
 
 
 class _Modes:

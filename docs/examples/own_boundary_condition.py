@@ -46,11 +46,7 @@ def framed(scene, gap_m=GAP_M):
         [(0.0, B_M, HEIGHT_M + z) for z in (-0.5 * RAIL_M, 0.5 * RAIL_M)],
         (0.0, -1.0, 0.0),  # from the frame into the wall
         0.5 * RAIL_M * WIDTH_M,
-        1e9,
-        0.4e9,
-        beta_s=1e-4,
-        friction_rad=math.radians(20.0),
-        gap_m=gap_m,
+        parts.Interface(1e9, 0.4e9, beta_s=1e-4, friction_rad=math.radians(20.0), gap_m=gap_m),
     )
     own = nodes.done()
     own.joint = own.joint + len(scene.joints)

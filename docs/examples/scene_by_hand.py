@@ -47,10 +47,7 @@ def standing(ratio=0.0, sunk_m=None):
         [(0.0, y, 0.0) for y in points * B_M],
         (0.0, 0.0, 1.0),
         weights * B_M * WIDTH_M,
-        JKN_PA_M,
-        0.4 * JKN_PA_M,
-        beta_s=BETA_S,
-        friction_rad=math.radians(35.0),
+        parts.Interface(JKN_PA_M, 0.4 * JKN_PA_M, beta_s=BETA_S, friction_rad=math.radians(35.0)),
     )
     joint = nodes.done()
     if sunk_m is None:

@@ -51,7 +51,29 @@ def test_few_numbers_agree_with_the_plan_they_are_of():
     assert strength.base_shear_ratio(few, TAU0)[0] == pytest.approx(exact, rel=0.1)
 
 
-@pytest.mark.parametrize("wrong", [{"tau0_pa": 0.0}, {"plan": 0.0}])
+@pytest.mark.parametrize("shape", [strength.SQUAT, 1.2, strength.SLENDER])
+@pytest.mark.parametrize("compression", [0.0, 0.05e6, 0.4e6])
+def test_a_pier_cracks_where_mohrs_circle_reaches_the_tensile_strength(shape, compression):
+    """At its middle the shear stress is b times the mean one: principal tension of 1.5 τ0."""
+    middle = shape * strength.tau(compression, TAU0, shape)
+    tension = math.hypot(0.5 * compression, middle) - 0.5 * compression
+    assert tension == pytest.approx(1.5 * TAU0)
+
+
+def test_squat_piers_carry_half_as_much_again():
+    one = strength.Storey(2.0, 400e3, 3.0, 0.1e6)
+    slender, _ = strength.base_shear_ratio([one], TAU0)
+    squat, _ = strength.base_shear_ratio([one], TAU0, shape=strength.SQUAT)
+    assert squat == pytest.approx(1.5 * slender)
+
+
+def test_a_shape_that_no_pier_has_ends_the_command_in_one_line(capsys):
+    with pytest.raises(SystemExit):
+        strength.main(["--pier-shape", "3"])
+    assert capsys.readouterr().err.endswith("error: shape = 3.0: expected b from 1 to 1.5\n")
+
+
+@pytest.mark.parametrize("wrong", [{"tau0_pa": 0.0}, {"plan": 0.0}, {"shape": 2.0}])
 def test_what_is_not_positive_is_named(wrong):
     with pytest.raises(ValueError, match=next(iter(wrong))):
         strength.base_shear_ratio(

@@ -7,7 +7,7 @@ import energy_probe
 import numpy as np
 from facade_cases import quiet
 
-from yade_scripts.commands import energy, shaking
+from yade_scripts.commands import shaking
 from yade_scripts.engine import adapter, balance, energy_check, simulate
 from yade_scripts.model import facade, models
 from yade_scripts.model.stiffness import critical_step
@@ -117,7 +117,8 @@ def balanced(config, model, beta_s, time_s, columns, fraction):
     job = {**config, "numerics": numerics, "model": model, "beta_s": beta_s}
     columns = {k: np.array(v) for k, v in columns.items()}
     shaken = shaking.set_up(models.build_scene(job), numerics, np.array(time_s), columns, 1.0)
-    history, energies = energy.balanced_run(shaken)
+    energies = balance.EnergyBalance(shaken.scene, shaken.sample_s, shaken.motions)
+    history = shaken.run(setup=energies.attach)
     rows = np.array(energies.rows)
     return {
         "status": history.status,

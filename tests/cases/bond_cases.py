@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from yade_scripts.model.quadrature import gauss_lobatto
-from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia, held
+from yade_scripts.model.scene import Block, Interface, NodeList, Scene, box_inertia, held
 
 JKN, JKS = 5.0e8, 2.0e8  # Pa/m
 TENSION, COHESION = 7.0e4, 1.0e5  # Pa
@@ -49,10 +49,7 @@ def bonded_scene(normal, nodes_up, *, free, gravity=0.0, tension=TENSION, cohesi
         line,
         normal,
         weights * AREA,
-        JKN,
-        JKS,
-        beta_s=BETA,
-        **held(tension, cohesion, FRICTION),
+        Interface(JKN, JKS, beta_s=BETA, **held(tension, cohesion, FRICTION)),
     )
     return Scene(blocks, nodes.joints, nodes.done(), "block", (0, 0, 0), "support", 1.0, gravity)
 
@@ -144,14 +141,13 @@ def peeling():
             scene.nodes.position_m,
             (0, 1, 0),
             scene.nodes.area_m2,
-            JKN,
-            1.0,
-            beta_s=BETA,
-            **held(TENSION, 1e9, FRICTION),
+            Interface(JKN, 1.0, beta_s=BETA, **held(TENSION, 1e9, FRICTION)),
         )
         # the foot is a stiff tie: it holds y and leaves the rotation free
         tie = held(1e15, 0.0, 0.0)
-        joints.add_joint("foot", 1, 0, [(0, 0, 0)], (0, 1, 0), [1.0], 3e11, 1.0, beta_s=1e-5, **tie)
+        joints.add_joint(
+            "foot", 1, 0, [(0, 0, 0)], (0, 1, 0), [1.0], Interface(3e11, 1.0, beta_s=1e-5, **tie)
+        )
         scene = Scene(
             scene.blocks, joints.joints, joints.done(), "block", (0, 0, 0), "support", 1.0, 0.0
         )

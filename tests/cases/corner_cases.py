@@ -16,7 +16,7 @@ from yade_scripts.engine import adapter, simulate
 from yade_scripts.model import facade
 from yade_scripts.model.motion import along
 from yade_scripts.model.quadrature import gauss_lobatto
-from yade_scripts.model.scene import Block, NodeList, Scene, held
+from yade_scripts.model.scene import Block, Interface, NodeList, Scene, held
 
 CELLS = 400  # of the height, for mass and moments
 ROOT = math.sqrt(0.5)
@@ -88,7 +88,7 @@ def corner_scene(corner, count=7):
         outward = (ROOT, ROOT, 0.0) if way == 0 else (-ROOT, ROOT, 0.0)
         for kind, normal, share in (("head", outward, 1.0), ("bed", (0.0, 0.0, 1.0), slope)):
             own = (places, normal, share * areas, jkn, 0.33 * jkn)
-            nodes.add_joint(f"{name} {kind} joints", 1, 0, *own, **rubbing)
+            nodes.add_joint(f"{name} {kind} joints", 1, 0, *own, Interface(**rubbing))
     return Scene(
         blocks,
         nodes.joints,

@@ -62,7 +62,12 @@ def rebound_histories(config, beta_s, ratio, limit_s, fractions):
         step, _ = simulate.choose_step(scene, {**config["numerics"], "step_fraction": fraction})
         rules = simulate.StopRules(limit_s, limit_s, overturn_ratio=1e9)
         h = simulate.run(
-            scene, quiet(scene), step, rules, sample_s=limit_s / 2500, compensate_lag=False
+            scene,
+            quiet(scene),
+            step,
+            rules,
+            sample_s=limit_s / 2500,
+            making=simulate.Making(compensate_lag=False),
         )
         found[str(fraction)] = [h.time_s.tolist(), h.rotation_rad.tolist()]
     return found

@@ -1,15 +1,15 @@
 """A façade before a building that yields, for tests."""
 
 import numpy as np
-from rocking import Case
+from study_cases import study_case
 
-KEYS = {"return_wall.building_mass_kg": 65e3, "facade.courses": 0}
+KEYS = {"return_wall.building_mass_kg": 65e3}
 
 
 def case(model="W2", ratio=0.25, loops="bilinear", **more):
-    """Case of the default façade whose building has a base-shear coefficient; `more` of smdof."""
+    """Case of the study's block whose building has a base-shear coefficient; `more` of smdof."""
     smdof = {"base_shear_ratio": ratio, "loops": loops, **more}
-    return Case.configured(model, KEYS | {f"smdof.{key}": value for key, value in smdof.items()})
+    return study_case(model, KEYS | {f"smdof.{key}": value for key, value in smdof.items()})
 
 
 def ground(seconds=8.0, dt=0.001, seed=3, peak=3.0):

@@ -3,14 +3,14 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import Case, Motion, history
+from rocking import Motion, history
 from rocking.collapse import hidden, probability, quick
 from rocking.collapse.agreement import compared
 from rocking.collapse.cautions import cautions, scale_factors
 from rocking.collapse.crossing import between
-from rocking.collapse.ensemble import realisations_needed
 from rocking.records import Record
-from scipy.stats import beta, fisher_exact
+from scipy.stats import fisher_exact
+from study_cases import study_case
 
 
 def rung(window, many, low_g=0.2):
@@ -123,7 +123,7 @@ def test_a_curve_of_few_runs_is_a_threshold(safe, collapse, most, expected):
 
 def test_a_rotation_is_outward_where_the_top_is():
     """Of a block that rocks on its edge d = h sin θ, with the sign of both."""
-    case = Case.configured("W1", {"numerics.after_motion_s": 1.0, "smdof": {"tail_s": 1.0}})
+    case = study_case("W1", {"numerics.after_motion_s": 1.0, "smdof": {"tail_s": 1.0}})
     t = 0.01 * np.arange(160)
     pulse = Motion(Record("pulse", -np.sin(2.5 * np.pi * t) * (t < 0.8), 0.01, source="file"))
     height, thickness = (case["facade"][key] for key in ("height_m", "thickness_m"))
@@ -154,18 +154,6 @@ def test_a_peak_off_the_branch_leaves_doubt_on_either_side_of_it(away):
     assert not doubts(peaks).any()
     peaks[900] += away
     assert doubts(peaks).any()
-
-
-def test_so_many_realisations_hold_the_median_of_draws():
-    """Of a uniform spread the median of n is distributed as Beta((n + 1)/2, (n + 1)/2)."""
-    values = (np.arange(4000) + 0.5) / 4000
-    for tolerance in (0.1, 0.2):
-        half = [(n, (n + 1) / 2) for n in range(3, 200, 2)]
-        inside = {
-            n: beta.cdf(0.5 + tolerance, a, a) - beta.cdf(0.5 - tolerance, a, a) for n, a in half
-        }
-        expected = next(n for n, share in inside.items() if share >= 0.9)
-        assert abs(realisations_needed(values, tolerance, 1) - expected) <= 4
 
 
 def test_what_never_fell_rests_on_no_histories():

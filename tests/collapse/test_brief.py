@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
-from rocking import Case, Motion
+from rocking import Motion
 from rocking.collapse import scan
 from rocking.collapse.curve import run_by
 from rocking.collapse.scan import together
 from rocking.solver import runs
 from rocking.solver.motions import Motions
+from study_cases import study_case
 
 DAMPING = {"law": "value", "beta_s": 2e-3}
 BUILDING = {"return_wall": {"building_mass_kg": 77000.0}}
@@ -29,7 +30,7 @@ def pulses(second, late_s=20.0, coda=0.02):
 def outcomes(model, motion, brief, levels=(0.05, 0.1, 0.2, 0.3, 0.5), **building):
     screen = run_by(
         "planar",
-        Case.configured(model, {"damping": DAMPING, **BUILDING, "smdof": building}),
+        study_case(model, {"damping": DAMPING, **BUILDING, "smdof": building}),
         motion,
         "pos",
         brief=brief,
@@ -70,7 +71,7 @@ def test_a_history_goes_on_while_what_carries_the_supports_still_moves():
     t = np.arange(0.0, 20.0, DT)
     ground = np.where(t <= 1.0, np.sin(2.0 * np.pi * t), 0.0)
     floor = np.where(t <= 9.0, 2.0 * np.sin(2.0 * np.pi * t), 0.0)
-    case = Case.configured("W1", {"damping": DAMPING})
+    case = study_case("W1", {"damping": DAMPING})
     plane = run_by("planar", case, pulses(0.0), "pos").planes[0]
     numerics = {**case["numerics"], "brief": runs.Brief()}
     given = numerics, np.array([3.0]), 1e-3

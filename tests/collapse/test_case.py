@@ -16,6 +16,7 @@ from rocking.collapse.curve import strategy
 from rocking.collapse.scan import scan_settings
 from rocking.configuration.config import ConfigError
 from rocking.records import Record, RecordError
+from study_cases import study_case
 
 from yade_scripts.model import floor_motions
 
@@ -30,7 +31,7 @@ def pulse():
 @pytest.fixture(scope="module")
 def case():
     """W1, its motion followed for three seconds."""
-    return Case.configured("W1", {"numerics.after_motion_s": 3.0, "smdof": {"tail_s": 1.0}})
+    return study_case("W1", {"numerics.after_motion_s": 3.0, "smdof": {"tail_s": 1.0}})
 
 
 @pytest.mark.parametrize("name", ["case", "curve", "motion"])
@@ -86,7 +87,7 @@ def test_what_cannot_be_is_refused_in_a_line(case, pulse):
     with pytest.raises(ValueError, match="record pulse has no vertical motion"):
         pulse.varied(Variant(motion={"vertical": 0.5}))
     with pytest.raises(ValueError, match="building_mass_kg"):
-        collapse_curve(Case.configured("W2m"), pulse)
+        collapse_curve(study_case("W2m"), pulse)
     with pytest.raises(ValueError, match="expected planar or yade"):
         collapse_curve(case, pulse, solver="scipy")
     with pytest.raises(ValueError, match="expected scan, climb"):
@@ -130,7 +131,7 @@ def test_a_variant_is_held_to_what_the_configuration_allows(case, variant, words
 def test_numbers_of_numpy_are_numbers(case):
     thick = np.linspace(0.3, 0.4, 3)
     assert case.varied({"facade.thickness_m": thick[1]}).get("facade.thickness_m") == thick[1]
-    chain = Case.configured("W2", {"smdof.n_dof": np.arange(4)[3]})
+    chain = study_case("W2", {"smdof.n_dof": np.arange(4)[3]})
     assert chain["smdof"]["n_dof"] == 3
     assert Case(chain.sections).to_json()  # plain, so that it can be written
 
@@ -228,9 +229,9 @@ def test_a_curve_knows_where_it_collapses(case, pulse):
 def test_a_scan_begins_where_it_is_told_to():
     """`ida.start_g` of the case; a setting of the call stands above it, half the capacity below."""
     outcomes = SimpleNamespace(static_g=0.2, block=4)
-    stated = Case.configured("W1", {"ida": {"start_g": 0.7}})
+    stated = study_case("W1", {"ida": {"start_g": 0.7}})
     for one, more, expected in (
-        (Case.configured("W1"), {}, 0.1),
+        (study_case("W1"), {}, 0.1),
         (stated, {}, 0.7),
         (stated, {"from_g": 0.3}, 0.3),
     ):
@@ -267,7 +268,7 @@ def test_bonds_that_a_first_shock_breaks_stay_broken(pulse):
     """A bonded façade shaken beyond its bonds answers as the dry one from then on."""
     weak = {"return_wall.tension_mpa": 0.008, "return_wall.cohesion_mpa": 0.008}
     weak |= {"numerics.after_motion_s": 3.0, "smdof.tail_s": 1.0}
-    bonded, dry = Case.configured("W1c", weak), Case.configured("W1", weak)
+    bonded, dry = study_case("W1c", weak), study_case("W1", weak)
     after = Motion(pulse.record, first=pulse, first_pga_g=0.2, pause_s=8.0)
 
     def peak(case, motion):
@@ -294,4 +295,4 @@ def test_yade_and_the_planar_solver_answer_alike(case, pulse):
 
 def test_what_is_no_variant_is_refused_in_one_line():
     with pytest.raises(TypeError, match="str given: expected a Variant, or new values by dotted"):
-        Case.configured("W2").varied("thicker")
+        study_case("W2").varied("thicker")

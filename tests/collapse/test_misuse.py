@@ -72,7 +72,7 @@ def test_what_is_no_case_no_key_and_no_change_is_named(case):
 
 def test_what_is_no_motion_is_named(motion, tmp_path):
     refused(lambda: Motion.named(None), "name = None: expected text")
-    refused(lambda: Motion.named("RRS228", table=None), "table = None: expected text")
+    refused(lambda: Motion.named("RRS228", table=3), "table = 3: expected text")
     path = tmp_path / "mine.txt"
     path.write_text("\n".join(map(str, PULSE)))
     refused(lambda: Motion.read(path, dt_s="0.01", units="g"), "dt_s = '0.01': expected a number")

@@ -11,12 +11,13 @@ import pandas as pd
 import pytest
 from rocking import Case, Curve, History, Motion
 from rocking.collapse.limits import intensity
+from study_cases import study_case
 
 ROOT = Path(__file__).parents[2]
 
 
 def test_cases_of_the_same_sections_are_one():
-    one, other = (Case.configured("W1", {"facade.height_m": 5.0}) for _ in range(2))
+    one, other = (study_case("W1", {"facade.height_m": 5.0}) for _ in range(2))
     assert one == other
     assert hash(one) == hash(other)
     assert one != one.varied({"facade.height_m": 5.1})
@@ -24,7 +25,7 @@ def test_cases_of_the_same_sections_are_one():
 
 
 def test_a_case_is_frozen_all_the_way_down():
-    given = dict(Case.configured("W1", {"facade.ties": [{"height_m": 3.0}]}).sections)
+    given = dict(study_case("W1", {"facade.ties": [{"height_m": 3.0}]}).sections)
     case = Case(given)
     for change in (
         lambda: case.sections.update(model="W2"),
@@ -70,7 +71,7 @@ def test_a_type_checker_finds_a_wrong_argument(tmp_path):
     script = tmp_path / "mine.py"
     script.write_text(
         "from rocking import Case, Motion, collapse_curve\n"
-        'case = Case.configured("W1")\n'
+        'case = study_case("W1")\n'
         'good = collapse_curve(case, Motion.named("RRS228"), "neg")\n'
         'bad = collapse_curve(case, "RRS228", "neg")\n'
         'worse = collapse_curve(case, Motion.named("RRS228"), "up")\n'

@@ -2,17 +2,18 @@
 
 import numpy as np
 import pytest
-from rocking import Case, Motion, collapse_curve, collapse_curves
+from rocking import Motion, collapse_curve, collapse_curves
 from rocking.collapse import search
 from rocking.collapse.quick import crossings
 from rocking.records import Record
+from study_cases import study_case
 
 SETTINGS = {"level_ratio": 0.02, "beyond": 1.35, "max_pga_g": 3.0, "realisations": 7}
 
 
 def case(model):
     given = {"return_wall.building_mass_kg": 77000.0, "smdof.tail_s": 1.0}
-    return Case.configured(model, given | {"numerics.after_motion_s": 3.0, "ida.max_pga_g": 3.0})
+    return study_case(model, given | {"numerics.after_motion_s": 3.0, "ida.max_pga_g": 3.0})
 
 
 def pulse():
@@ -69,7 +70,7 @@ def test_a_motion_keeps_the_floors_of_one_building():
     """A sample of thousands of buildings would fill the memory."""
     motion = pulse()
     for period_s in (0.2, 0.3, 0.4):
-        motion.columns(Case.configured("W2", {"smdof.period_s": period_s}))
+        motion.columns(study_case("W2", {"smdof.period_s": period_s}))
     assert len(motion._kept) == 1
 
 
@@ -77,7 +78,7 @@ def test_a_motion_shakes_each_case_by_the_floors_of_its_own_building():
     """One motion, asked by two cases in turn."""
     motion, floors = pulse(), {}
     for period_s in (0.2, 0.8, 0.2):
-        own = Case.configured("W2", {"smdof.period_s": period_s, "smdof.tail_s": 1.0})
+        own = study_case("W2", {"smdof.period_s": period_s, "smdof.tail_s": 1.0})
         found = motion.columns(own)[1]["floor1"]
         assert np.array_equal(floors.setdefault(period_s, found), found)
     assert not np.array_equal(floors[0.2], floors[0.8])

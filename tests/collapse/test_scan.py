@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
-from rocking import Case, Motion
+from rocking import Motion
 from rocking.collapse.curve import run_by
 from rocking.collapse.scan import COURSES_STEP, SHAKEN_STEP, SHORTER
 from rocking.records import Record
 from rocking.solver import peaks
+from study_cases import study_case
 
 
 @pytest.mark.parametrize("mass_kg", [500.0, 77000.0])
@@ -15,7 +16,7 @@ def test_light_masses_that_carry_the_walls_get_the_steps_that_they_need(mass_kg)
     t = 0.01 * np.arange(160)
     pulse = Motion(Record("pulse", -np.sin(2.5 * np.pi * t) * (t < 0.8), 0.01, source="file"))
     given = {"return_wall.building_mass_kg": mass_kg, "smdof.tail_s": 1.0}
-    case = Case.configured("W2m", given | {"numerics.after_motion_s": 3.0})
+    case = study_case("W2m", given | {"numerics.after_motion_s": 3.0})
     screen = run_by("planar", case, pulse, "pos")
     for plane, step_s in zip(screen.planes, screen.steps_s, strict=True):
         motions, factors = screen.shaking([0.1, 0.15])
@@ -36,7 +37,7 @@ def test_realisations_of_courses_differ_in_step():
     t = 0.01 * np.arange(160)
     pulse = Motion(Record("pulse", -np.sin(2.5 * np.pi * t) * (t < 0.8), 0.01, source="file"))
     courses = {"facade.courses": 3, "facade.courses_growth": 1.5, "numerics.after_motion_s": 3.0}
-    screen = run_by("planar", Case.configured("W2", courses), pulse, "pos")
+    screen = run_by("planar", study_case("W2", courses), pulse, "pos")
     same = screen.run([0.12] * 8, scatter=True)
     assert same["step_factor"].tolist() == 2 * list(SHORTER)
     peak = same["d_over_b"].to_numpy()
@@ -52,7 +53,7 @@ def test_courses_before_walls_that_shake_them_and_stand_firm_take_a_shorter_step
 
     def step_s(model, mass_kg=64e3):
         facade = {"facade.courses": 4, "facade.courses_growth": 1.5}
-        case = Case.configured(model, facade | {"return_wall.building_mass_kg": mass_kg})
+        case = study_case(model, facade | {"return_wall.building_mass_kg": mass_kg})
         return run_by("planar", case, pulse, "pos").steps_s[0]
 
     given = step_s("W1")

@@ -10,7 +10,7 @@ from rocking.tables import write_table
 from yade_scripts.commands.search import drive
 
 SETTINGS = {"level_ratio": 0.02, "beyond": 1.35, "max_pga_g": 2.0}
-SETTINGS |= {"realisations": 6, "amplitude_spread": 0.01, "fine_step": 0.002, "power": 0.0}
+SETTINGS |= {"realisations": 6, "amplitude_spread": 0.01, "power": 0.0}
 SETTINGS["safe_share"] = 0.03
 
 
@@ -294,21 +294,6 @@ def test_a_short_climb_sees_a_range_of_collapse_above_where_it_is_no_longer_calm
     low, half = drive(search.crossings(0.02, 2.0, 1.03), run)
     assert low == pytest.approx(0.45, rel=search.SPREAD)
     assert half == pytest.approx(0.45, rel=search.SPREAD)
-
-
-def test_a_dense_search_ends_where_all_within_its_window_fall():
-    """Fine steps from below the first fall of the climb to one window past the lowest fall."""
-    asked = []
-
-    def run(ask):
-        asked.append((ask.realisations, np.array(ask.pga_g)))
-        return ["overturned" if separate_range(g) else "ok" for g in ask.pga_g]
-
-    drive(search.dense(0.1, SETTINGS), run)
-    fine = np.concatenate([pga_g for realisations, pga_g in asked if realisations])
-    assert np.diff(np.log(fine)).max() == pytest.approx(np.log(1.002))
-    assert fine.min() < 0.30
-    assert 0.30 * 1.01 / 0.99 < fine.max() < 0.33
 
 
 def test_crossings_of_a_threshold_are_the_threshold():

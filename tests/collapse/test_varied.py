@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
-from rocking import Case, Motion, Variant
+from rocking import Motion, Variant
 from rocking.collapse.varied import collapses
 from rocking.records import Record
+from study_cases import study_case
 
 UP = np.array([0.0, 1.0, 0.0])
 MOTION = Motion(Record("R1", np.array([0.0, 2.0, -1.0]), 0.01, source="file", vertical_m_s2=UP))
@@ -25,7 +26,7 @@ def test_each_variant_changes_its_own_case_and_motion():
         up = motion.record.vertical_m_s2.max()
         return {"height_m": case["facade"]["height_m"], "run": case.model, "up": up}
 
-    cases = [Case.configured(name) for name in ("W1", "W3")]
+    cases = [study_case(name) for name in ("W1", "W3")]
     rows = collapses(cases, MOTION, ["pos", "neg"], find, VARIANTS)
     assert [(r["model"], r["share"], r["direction"]) for r in rows] == [
         (model, share, direction)

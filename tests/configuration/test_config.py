@@ -20,7 +20,6 @@ from rocking.configuration.config import (
     resolve,
     write_resolved,
 )
-from rocking.records.intensity_measures import MEASURES
 
 from tests.trials import fuzz_config
 from yade_scripts.model import registry
@@ -92,18 +91,16 @@ def test_limits_of_a_list_hold_for_each_of_its_entries(monkeypatch):
     assert refusal({"gaps": {"gaps_m": [0.0, 0.5]}}) == line
 
 
-def test_models_and_measures_are_those_of_their_registries():
+def test_models_are_those_of_their_registry():
     models = config_schema.sections()["run"]["properties"]["models"]
     for name in registry.WITH_WALLS:
         assert f"{name}: {registry.MODELS[name].meaning}" in models["description"]
-    measures = config_schema.sections()["fragility"]["properties"]["measures"]
-    assert measures["items"]["enum"] == measures["default"] == list(MEASURES)
 
 
-def test_an_empty_configuration_is_the_study():
+def test_an_empty_configuration_is_a_facade_of_the_size_of_the_studys():
     one = resolve({})
     assert (one["facade"]["height_m"], one["facade"]["thickness_m"]) == (6.48, 0.375)
-    assert one["damping"] == {"law": "value", "beta_s": 0.00276}
+    assert one["damping"] == {"law": "eq5", "beta_s": 0.00276}
     assert (one["smdof"]["n_dof"], one["smdof"]["period_s"]) == (4, 0.27)
     assert one["return_wall"]["length_m"] is None
     assert resolve(one) == one
@@ -203,7 +200,7 @@ def test_refusals_name_the_key_and_what_was_expected(config, message):
         ({"facade": {"tilt_deg": 3.4}}, "facade.tilt_deg = 3.4: expected less than atan"),
         ({"return_wall": {"count": 12}}, "return_wall.count = 12: expected count × thickness_m"),
         ({"return_wall": {"thickness_m": 5}}, "return_wall.thickness_m = 5: expected a value at"),
-        ({"facade": {"sides": "two"}}, "models = ['W1', 'W2']: expected [W1] with facade.sides"),
+        ({"facade": {"sides": "two"}}, "models = ['W1', 'W2', 'W2m']: expected [W1] with facade."),
         (
             {"facade": {"sides": "two"}, "models": "W1", "damping": {"law": "eq5"}},
             "damping.law = eq5: expected value with facade.sides = two",
@@ -371,7 +368,8 @@ def test_a_wrong_key_in_a_list_is_answered_with_the_keys_of_its_entries(entry, w
 
 def test_a_run_with_a_hazard_curve_takes_a_studys_settings_but_what_is_stated():
     plain, rated = resolve({}), resolve({"risk": {"hazard": "curve.csv"}})
-    assert plain["ensemble"]["enabled"] == "auto"
+    assert (plain["ida"]["power"], rated["ida"]["power"]) == (0.95, 0.0)
+    assert plain["ida"]["confirm_every"] is None
     assert rated["ensemble"]["enabled"] == "off"
     assert (rated["ida"]["confirm"], rated["ida"]["confirm_every"]) == ("collapse", 8)
     own = {"ida": {"confirm_every": 2, "level_ratio": 0.03}, "ensemble": {"enabled": "on"}}

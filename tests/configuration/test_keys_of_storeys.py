@@ -41,7 +41,7 @@ def test_bricks_that_carry_a_building_have_an_elastic_one():
     ("smdof", "can"),
     [
         ({}, True),
-        ({"loops": "flag"}, True),  # the building is elastic
+        ({"loops": "flag", "base_shear_ratio": None}, True),  # the building is elastic
         ({"base_shear_ratio": 0.2}, True),
         ({"base_shear_ratio": 0.2, "loops": "flag"}, False),
         ({"base_shear_ratio": 0.2, "loss_drift_ratio": 0.004}, False),

@@ -52,16 +52,17 @@ def test_a_schema_that_is_none_is_named_in_one_line(tmp_path, text, said):
     assert "\n" not in str(caught.value)
 
 
-def test_a_section_has_one_schema_and_a_pipe_is_not_waited_for(tmp_path, monkeypatch):
+def test_a_key_has_one_schema_and_a_pipe_is_not_waited_for(tmp_path, monkeypatch):
     """Else a study's would stand in the core's place, unseen."""
     own = tmp_path / "own"
     own.mkdir()
     monkeypatch.setattr(schema, "STUDIES", tmp_path)
-    (own / "facade.schema.yaml").write_text("properties: {}\n")
-    with pytest.raises(schema.ConfigError, match="own/facade.schema.yaml: section 'facade' is"):
-        schema.files()
-    shutil.copy(ROOT / "workflow/schemas/run.schema.yaml", own)
-    (own / "facade.schema.yaml").unlink()
-    os.mkfifo(own / "facade.schema.yaml")
+    monkeypatch.setattr(schema, "sections", schema.sections.__wrapped__)
+    path = own / "facade.schema.yaml"
+    path.write_text("properties: {height_m: {type: number}}\n")
+    with pytest.raises(schema.ConfigError, match="own/facade.schema.yaml: facade.height_m stands"):
+        schema.sections()
+    path.unlink()
+    os.mkfifo(path)
     with pytest.raises(schema.ConfigError, match="facade.schema.yaml: expected a file"):
-        schema.sections(own)
+        schema.sections()

@@ -4,10 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from rocking.configuration.config import ConfigError, resolve
+from rocking.configuration.config import ConfigError
 from rocking.configuration.static_stability import restoring, stands
 from rocking.mechanics.closed_forms import tip_over_compliant_base
 from rocking.solver import Motions, history, to_plane
+from study_cases import study_settings
 
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.models import build_scene
@@ -19,7 +20,7 @@ SOFT = {"base_stiffness_pa_m": 3e7}  # a plain façade stands on it up to 6.31 m
 
 def case(height_m, **facade):
     """A configuration of W1 that is not checked."""
-    config = resolve({"numerics": NODES, "models": ["W1"]})
+    config = study_settings({"numerics": NODES, "models": ["W1"]})
     return {**config, "facade": {**config["facade"], "height_m": height_m, **facade}}
 
 
@@ -52,7 +53,7 @@ def test_margin_is_the_static_tip_over_on_a_compliant_base():
 def test_a_tie_rights_by_its_force_times_its_height(height_m):
     """On a rigid base, turned by θ until its rods yield: [W (b/2 − θ h/2) + F z]/(W h/2)."""
     tie = {"height_m": height_m, "count": 2, "diameter_mm": 16.0, "length_m": 4.0}
-    config = resolve({"numerics": NODES, "models": ["W1"], "facade": {"ties": [tie]}})
+    config = study_settings({"numerics": NODES, "models": ["W1"], "facade": {"ties": [tie]}})
     config = {**config, "facade": {**config["facade"], "base_stiffness_pa_m": 1e13}}
     f = config["facade"]
     (row,), b, h = f["ties"], f["thickness_m"], f["height_m"]
@@ -91,6 +92,11 @@ def left_alone(config, seconds=40.0):
 
 
 @pytest.mark.slow
+def whole(key, rows):
+    """Rows of the façade with what they leave open."""
+    return study_settings({"facade": {key: rows}})["facade"][key]
+
+
 @pytest.mark.parametrize(
     "facade",
     [
@@ -102,7 +108,9 @@ def left_alone(config, seconds=40.0):
 )
 def test_solver_agrees(facade):
     named = {
-        key: resolve({"facade": {key: value}})["facade"][key] if isinstance(value, list) else value
+        key: study_settings({"facade": {key: value}})["facade"][key]
+        if isinstance(value, list)
+        else value
         for key, value in facade.items()
     }
     limit = highest(5.1, 40.0, **named)
@@ -113,24 +121,26 @@ def test_solver_agrees(facade):
 
 def test_refused_in_one_line_with_the_height_that_stands():
     with pytest.raises(ConfigError, match=r"facade.height_m = 15: expected at most 13.36 \(m\)"):
-        resolve({"facade": {"height_m": 15.0}})
+        study_settings({"facade": {"height_m": 15.0}})
     with pytest.raises(ConfigError, match=r"facade.tilt_deg = 2: expected at most 1.7 \(°\)"):
-        resolve({"facade": {"tilt_deg": 2.0}})
-    resolve({"facade": {"height_m": 13.3}})
-    resolve({"facade": {"height_m": 15.0, "ties": [{"height_m": 12.0}]}, "models": ["W1"]})
+        study_settings({"facade": {"tilt_deg": 2.0}})
+    study_settings({"facade": {"height_m": 13.3}})
+    study_settings({"facade": {"height_m": 15.0, "ties": [{"height_m": 12.0}]}, "models": ["W1"]})
     with pytest.raises(ConfigError, match="facade.height_m"):
-        resolve({"facade": {"height_m": 13.0, "gable_height_m": 3.0}})
+        study_settings({"facade": {"height_m": 13.0, "gable_height_m": 3.0}})
     bent = {
         "hinges_m": "weakest",
         "floors": [{"height_m": 40.0, "load_kn": 50.0}],
         "thickness_m": 0.2,
     }
     with pytest.raises(ConfigError, match="facade.height_m"):
-        resolve({"facade": {"height_m": 40.0, **bent}, "models": ["W1"]})
+        study_settings({"facade": {"height_m": 40.0, **bent}, "models": ["W1"]})
 
 
 def test_all_that_has_a_height_grows_with_the_facade_that_is_asked_for():
     """A cornice at the top stays below it: the refusal names the height that stands."""
     cornice = {"z_m": 6.8, "height_m": 0.2, "projection_m": 0.1}
     with pytest.raises(ConfigError, match=r"facade.height_m = 7: expected at most 6\.\d+ \(m\)"):
-        resolve({"facade": {"height_m": 7.0, **SOFT, "cornices": [cornice]}, "models": ["W1"]})
+        study_settings(
+            {"facade": {"height_m": 7.0, **SOFT, "cornices": [cornice]}, "models": ["W1"]}
+        )

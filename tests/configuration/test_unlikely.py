@@ -31,7 +31,8 @@ def test_settings_of_the_scan_that_w3_has_of_its_own_are_named():
     """Once, where they would be expected to hold: W3 is scanned, and its own are not stated."""
 
     def said(**config):
-        given = resolve({"models": ["W1", "W3"], "ida": {"level_ratio": 0.05}, **config})
+        block = {"facade": {"courses": 0}, "smdof": {"base_shear_ratio": None}}
+        given = resolve({"models": ["W1", "W3"], "ida": {"level_ratio": 0.05}, **block, **config})
         return lines({"one": given, "two": given})
 
     line = "ida.level_ratio = 0.05 is not for the dense scan of W3, which takes w3.scan.level_ratio"

@@ -9,10 +9,11 @@ import numpy as np
 import pandas as pd
 import pytest
 from formula_cases import drawn
-from rocking import Case, estimate
+from rocking import estimate
 from rocking.configuration import config
 from rocking.formula import law, page, words
 from scipy.special import ndtr
+from study_cases import study_case, study_settings
 
 
 @pytest.fixture(scope="module")
@@ -71,7 +72,7 @@ def test_page_and_python_agree_at_a_thousand_inputs(known, tmp_path):
 
 
 def test_a_run_of_an_own_facade_begins_with_the_formula():
-    own = config.resolve(
+    own = study_settings(
         {
             "models": ["W1", "W2m", "W1c"],
             "facade": {"height_m": 7.2},
@@ -79,14 +80,14 @@ def test_a_run_of_an_own_facade_begins_with_the_formula():
         }
     )
     line = words.of_run("mine", own)
-    case = Case.configured("W1", {"facade.height_m": 7.2})
+    case = study_case("W1", {"facade.height_m": 7.2})
     assert line.startswith("mine: by the formula")
     assert f"W1 {estimate(case).median:.2g} g" in line
     assert "W2m" in line
     assert "W1c" not in line
     assert words.of_runs({"default": config.resolve({"models": ["W1"]})}) == []
     assert (
-        words.of_run("slow", config.resolve({"models": ["W2"], "smdof": {"period_s": 3.0}})) == ""
+        words.of_run("slow", study_settings({"models": ["W2"], "smdof": {"period_s": 3.0}})) == ""
     )
 
 
@@ -101,8 +102,8 @@ def test_a_computed_median_far_from_the_formula_is_remarked_upon():
 
 
 def test_an_assessment_says_where_its_median_is_far_from_the_formula():
-    own = config.resolve({"models": ["W1"], "facade": {"height_m": 7.2, "base": "column"}})
-    by_formula = estimate(Case.configured("W1", {"facade.height_m": 7.2, "facade.base": "column"}))
+    own = study_settings({"models": ["W1"], "facade": {"height_m": 7.2, "base": "column"}})
+    by_formula = estimate(study_case("W1", {"facade.height_m": 7.2, "facade.base": "column"}))
     rows = [{"model": "W1", "median_pga_g": by_formula.median, "stations": 22}]
     assert words.remarks(own, pd.DataFrame(rows)) == []
     rows[0]["median_pga_g"] *= 5.0

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from rocking.configuration import config
 from rocking.mechanics import column
 from rocking.mechanics.closed_forms import capacity_compliant_base, capacity_rigid
 from scipy.integrate import solve_bvp
+from study_cases import study_settings
 
 from yade_scripts.model import base
 
@@ -158,7 +158,7 @@ def on_base(wall, law):
     """λ of the rigid block on its base over D."""
     h, b, density, e_mpa = WALLS[wall]
     own = {"height_m": h, "thickness_m": b, "density_kg_m3": density, "e_mpa": e_mpa, "base": law}
-    facade = {**config.resolve({})["facade"], **own}
+    facade = {**study_settings({})["facade"], **own}
     jkn, edge = base.parts(facade)
     theta = np.arcsin(D * b / h)
     return capacity_compliant_base(theta, h, b, density, jkn, edge_pa=edge)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from planar_cases import facade, rate, sorrentino
 from rocking.mechanics import closed_forms as cf
-from rocking.reference import SupportTable, Wall, simulate, simulate_batch
+from rocking.reference import Steps, SupportTable, Wall, simulate, simulate_batch
 from rocking.reference.adaptive import run
 from rocking.reference.contact import (
     SLIP,
@@ -144,7 +144,9 @@ def test_quarter_period_approaches_the_rigid_limit():
     errors = []
     for e_pa in (1.8e9, 1e10, 4e10):
         wall = sorrentino(e_pa=e_pa, return_thickness_m=0.0, base_friction_deg=60.0)
-        history = simulate(wall, duration_s=0.5, theta0_over_alpha=0.5, max_step_s=5e-3)
+        history = simulate(
+            wall, duration_s=0.5, theta0_over_alpha=0.5, steps=Steps(max_step_s=5e-3)
+        )
         i = np.flatnonzero(history.theta_rad <= 0.0)[0]
         pair = slice(i, i - 2, -1)
         time = np.interp(0.0, history.theta_rad[pair], history.time_s[pair])
@@ -277,7 +279,7 @@ def test_batch_agrees_with_single_histories_and_the_fixed_step():
     wall = facade(nodes_base=5, nodes_up=5, segments=2)
     scales = [0.5, 3.0]
     batch = simulate_batch(wall, motion, scales)
-    fixed = simulate_batch(wall, motion, scales, dt_s=4e-4)
+    fixed = simulate_batch(wall, motion, scales, steps=Steps(fixed_s=4e-4))
     for i, scale in enumerate(scales):
         single = simulate(wall, motion, scale=scale)
         assert batch.peak_theta_over_alpha[i] == pytest.approx(
@@ -337,7 +339,7 @@ def test_w1_under_the_rinaldi_record():
 @pytest.mark.slow
 def test_w2_under_the_rinaldi_record():
     """Design page: 0.264 at 0.10 g with 9 nodes up each block."""
-    floors = floor_motions(rinaldi(0.1), 0.01, 4, 0.27)
+    floors = floor_motions(rinaldi(0.1), 0.01)
     motion = SupportTable(floors.time_s[1], floors.ground_m_s2, floors.floors_m_s2)
     history = simulate(facade(segments=4), motion, duration_s=4.0)
     assert history.theta_over_alpha.max() == pytest.approx(0.264, rel=0.01)
@@ -358,7 +360,7 @@ def test_w2_under_the_rinaldi_record():
         ),
         (lambda: SupportTable(0.1, [0.0, np.nan]), "finite"),
         (lambda: SupportTable(0.1, [0.0, 1.0], np.zeros((2, 3))), "2 samples"),
-        (lambda: simulate_batch(facade(), duration_s=1.0, dt_s=-1.0), "dt_s"),
+        (lambda: simulate_batch(facade(), duration_s=1.0, steps=Steps(fixed_s=-1.0)), "fixed_s"),
     ],
 )
 def test_bad_input_is_named(call, message):

@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from both_solvers import pulses
-from rocking.collapse.case import Case
 from rocking.reference import simulate
 from rocking.reference.facade import answers, motion_of, one_block, outcomes, wall_of
 from rocking.reference.stack import StackSolver
 from rocking.solver import Motions, history, moving_supports, to_plane
+from study_cases import study_case
 from yade_process import resolved
 
-from smdof import floor_motions
+from smdof import floor_motions, shear_chain
 from yade_scripts.model import floor_motions as files
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.scene import BOND
@@ -44,7 +44,8 @@ def series(scene, amplitude=AMPLITUDE, how=None, **options):
 def answer_of_the_chain(config):
     """Times and floor motions of a configuration's chain under the pulses, and while it rings."""
     chain, (_, ground) = config["smdof"], pulses(AMPLITUDE)
-    how = chain["n_dof"], chain["period_s"], chain["damping_ratio"], chain["damping_model"]
+    own = shear_chain(chain["n_dof"], chain["period_s"])
+    how = own, chain["damping_ratio"], chain["damping_model"]
     motion = floor_motions(ground, 0.01, *how, tail_s=1.0)
     return 0.01 / motion.refine * np.arange(motion.ground_m_s2.size), motion
 
@@ -145,8 +146,8 @@ def test_energy_of_courses_closes_and_nothing_gives_any(model):
 def test_energy_closes_with_ties_floors_and_vertical_motion():
     tie = {"height_m": 5.0, "diameter_mm": 12, "length_m": 2.0, "count": 1, "e_mpa": 200000}
     tie |= {"yield_mpa": 235, "anchor_kn": None, "elongation": 0.05, "slack_mm": 5.0}
-    config = Case.configured("W1").sections
-    case = Case.configured(
+    config = study_case("W1").sections
+    case = study_case(
         "W1",
         {"facade.ties": [{**tie}], "facade.floors": [floor()], "facade.gap_m": 0.002}
         | {f"numerics.{key}": 9 for key in NINE},
@@ -199,7 +200,7 @@ def test_a_step_beyond_stability_is_not_taken():
 def test_floors_and_gap_are_those_of_the_compiled_solver():
     """Two routes to one scene: peaks within 1 % where it pulls and slides."""
     rows = {"facade.floors": [floor()], "facade.gap_m": 0.002}
-    case = Case.configured("W1", rows | {f"numerics.{key}": 17 for key in NINE})
+    case = study_case("W1", rows | {f"numerics.{key}": 17 for key in NINE})
     scene = facade_scene(case.sections, "W1", case.sections["beta_s"])
     time_s, columns = moved(1.0)
     supports = [columns[name] for name in moving_supports(scene)]
@@ -215,9 +216,9 @@ def test_floors_and_gap_are_those_of_the_compiled_solver():
 def test_entry_points_take_what_each_solver_has(tmp_path):
     """W2m and courses are a stack's; a plain block stays the adaptive solver's."""
     numbers = {f"numerics.{key}": 9 for key in NINE}
-    plain = Case.configured("W2", numbers).sections
-    courses = Case.configured("W2", {"facade.courses": 4, "facade.courses_growth": 1.5}).sections
-    pushed = Case.configured("W2m", {"return_wall.building_mass_kg": 64000.0}).sections
+    plain = study_case("W2", numbers).sections
+    courses = study_case("W2", {"facade.courses": 4, "facade.courses_growth": 1.5}).sections
+    pushed = study_case("W2m", {"return_wall.building_mass_kg": 64000.0}).sections
     assert [one_block(case) for case in (plain, courses, pushed)] == [True, False, False]
     time_s, columns = moved()
     path = tmp_path / "floors.csv"
@@ -232,7 +233,7 @@ def test_entry_points_take_what_each_solver_has(tmp_path):
 
 @pytest.mark.parametrize("model", ["W1c", "W2c", "W2cm", "W3", "W3m"])
 def test_bonds_and_bricks_are_refused(model):
-    case = Case.configured(model, {"return_wall.building_mass_kg": 64000.0}).sections
+    case = study_case(model, {"return_wall.building_mass_kg": 64000.0}).sections
     with pytest.raises(
         ValueError, match=f"the reference solver has no model {model}: expected one"
     ):
@@ -240,7 +241,7 @@ def test_bonds_and_bricks_are_refused(model):
 
 
 def test_a_bonded_base_is_refused():
-    case = Case.configured("W1", {"facade.bond_tension_mpa": 0.1}).sections
+    case = study_case("W1", {"facade.bond_tension_mpa": 0.1}).sections
     with pytest.raises(ValueError, match=r"facade.bond_tension_mpa = 0.1: the reference solver"):
         answers(case, moved(), "pos", [0.1], nodes=5, tolerance=1e-4)
 

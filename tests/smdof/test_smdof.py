@@ -126,8 +126,8 @@ def test_chain_agrees_with_an_independent_solver(model):
 )
 def test_refining_the_step_changes_nothing_at_the_record_instants(n, refine, dt, seed):
     ground = noise(200, seed)
-    coarse = floor_motions(ground, dt, n, 0.27, refine=1)
-    fine = floor_motions(ground, dt, n, 0.27, refine=refine)
+    coarse = floor_motions(ground, dt, shear_chain(n, 0.27), refine=1)
+    fine = floor_motions(ground, dt, shear_chain(n, 0.27), refine=refine)
     scale = np.abs(coarse.floors_m_s2).max()
     assert np.abs(fine.floors_m_s2[:, ::refine] - coarse.floors_m_s2).max() < 1e-10 * scale
     scale = np.abs(coarse.relative_m).max()
@@ -168,7 +168,8 @@ def test_harmonic_steady_state_matches_transmissibility():
     time = np.arange(0, 40 * 400) * dt
     for ratio in (0.5, 1.0, 2.0):
         frequency = ratio / 0.27
-        motion = floor_motions(np.sin(2 * np.pi * frequency * time), dt, 1, 0.27, refine=1)
+        sine = np.sin(2 * np.pi * frequency * time)
+        motion = floor_motions(sine, dt, shear_chain(1, 0.27), refine=1)
         late = motion.floors_m_s2[0, -800:]
         expected = np.sqrt(
             (1 + (2 * zeta * ratio) ** 2) / ((1 - ratio**2) ** 2 + (2 * zeta * ratio) ** 2)
@@ -196,7 +197,7 @@ def test_integrated_floor_motion_does_not_drift():
     """
     errors = []
     for refine in (None, 22):
-        m = floor_motions(noise(), 0.01, 4, 0.27, refine=refine, tail_s=10.0)
+        m = floor_motions(noise(), 0.01, shear_chain(4, 0.27), refine=refine, tail_s=10.0)
         difference = m.floors_m_s2 - m.ground_m_s2
         step = m.time_s[1]
         velocity = cumulative_trapezoid(difference, dx=step, initial=0.0)
@@ -216,13 +217,13 @@ def test_integrated_floor_motion_does_not_drift():
 
 def test_output_step_and_tail():
     shortest = shear_chain(4, 0.27).periods_s()[-1]
-    m = floor_motions(noise(), 0.01, 4, 0.27, tail_s=1.0)
+    m = floor_motions(noise(), 0.01, shear_chain(4, 0.27), tail_s=1.0)
     assert m.refine == np.ceil(0.01 / (shortest / 50))
     assert m.time_s[1] <= shortest / 50
     assert m.time_s[-1] == pytest.approx(3.99 + 0.01 + 1.0)
     assert np.abs(m.floors_m_s2[:, -1]).max() < 0.5 * np.abs(m.floors_m_s2).max()
     # a record that ends away from zero falls to it linearly within one record step
-    m = floor_motions([0.0, 2.0], 0.1, 1, 0.5, refine=10, tail_s=0.2)
+    m = floor_motions([0.0, 2.0], 0.1, shear_chain(1, 0.5), refine=10, tail_s=0.2)
     assert m.ground_m_s2[10:21] == pytest.approx(np.linspace(2.0, 0.0, 11))
     assert np.all(m.ground_m_s2[20:] == 0.0)
 
@@ -273,7 +274,7 @@ def test_response_spectrum_limits_and_chain_agree():
     spectrum = response_spectrum(ground, dt, [0.0, 0.005, 0.27, 4e4], damping_ratio=0.05)
     assert spectrum.sa_m_s2[0] == np.abs(ground).max()
     assert spectrum.psa_m_s2[1] == pytest.approx(np.abs(ground).max(), rel=0.02)
-    motion = floor_motions(ground, dt, 1, 0.27, refine=4, tail_s=0.5)
+    motion = floor_motions(ground, dt, shear_chain(1, 0.27), refine=4, tail_s=0.5)
     assert spectrum.sa_m_s2[2] == pytest.approx(np.abs(motion.floors_m_s2).max(), rel=2e-3)
     assert spectrum.sd_m[3] == pytest.approx(displacement, rel=1e-4)
     undamped = response_spectrum(ground, dt, [0.1, 0.5, 2.0], damping_ratio=0.0)

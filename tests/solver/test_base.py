@@ -3,12 +3,11 @@
 import numpy as np
 import pytest
 from both_solvers import BETA_S, pulses
-from rocking import Case, Variant
 from rocking import Motion as Shaking
+from rocking import Variant
 from rocking.collapse.case import FIDELITY_FILE
 from rocking.collapse.curve import collapse_curve
 from rocking.collapse.scan import COURSES_NODES, COURSES_STEP, one_block_step
-from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.fidelity import COURSES, read_fidelity
 from rocking.mechanics import column
@@ -17,6 +16,7 @@ from rocking.reference import SupportTable, simulate_batch
 from rocking.reference.facade import wall_of
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import Motions, history, peaks, stable_step
+from study_cases import study_case, study_settings
 from test_floors import slow
 from test_ties import G
 from yade_process import in_yade, resolved
@@ -64,7 +64,7 @@ def test_courses_in_series_are_the_wall(growth):
 @pytest.mark.parametrize("model", ["W1", "W2", "W2m", "W3"])
 def test_at_rest(model):
     """It stands on its base from the start: the weight is borne as it is placed."""
-    case = Case.configured(model).varied(Variant("column", {"facade.base": "column"}))
+    case = study_case(model).varied(Variant("column", {"facade.base": "column"}))
     if model == "W2m":
         case = case.varied(Variant("mass", {"return_wall.building_mass_kg": 6e4}))
     scene = build_scene(case.sections)
@@ -138,7 +138,7 @@ def courses_peaks(wall, forms, share):
     """Peak d/b of stacks under two pulses, at a share of the step of one block."""
     t, ground = pulses(1.2)
     motion = Shaking.sampled(ground, float(t[1]), name="pulses")
-    case = Case.configured("W1", {**wall, "numerics.after_motion_s": 1.0})
+    case = study_case("W1", {**wall, "numerics.after_motion_s": 1.0})
     found = []
     for courses, growth in forms:
         stack = case.varied({"facade.courses": courses, "facade.courses_growth": growth})
@@ -186,7 +186,7 @@ def test_courses_side_by_side():
 
 def test_against_the_reference_solver():
     """The block on the column's base by the solver that shares nothing with the compiled one."""
-    case = Case.configured("W1").varied(Variant("column", {"facade.base": "column"}))
+    case = study_case("W1").varied(Variant("column", {"facade.base": "column"}))
     case = case.varied(Variant("nodes", {f"numerics.{key}": 17 for key in NODES}))
     t, ground = pulses(1.2)
     planar = history(to_plane(build_scene(case.sections)), Motions(t, ground), case["numerics"])
@@ -204,7 +204,7 @@ def test_courses_before_a_heavy_building():
     found = {}
     for model in ("W2", "W2m"):
         given = {"facade.courses": 4, "return_wall.building_mass_kg": 1e11}
-        case = Case.configured(model, given)
+        case = study_case(model, given)
         settings = {"pga_g": [0.08, 0.1, 0.12]}
         curve = collapse_curve(case, motion, search="list", settings=settings)
         found[model] = curve.table["d_over_b"].to_numpy(float)
@@ -233,7 +233,7 @@ def test_courses_of_a_shape_stand(shape):
     motion = Shaking.sampled(ground, float(t[1]), name="pulses")
     found = []
     for courses in (0, 5):
-        case = Case.configured("W2", {**{f"facade.{k}": v for k, v in shape.items()}})
+        case = study_case("W2", {**{f"facade.{k}": v for k, v in shape.items()}})
         case = case.varied({"facade.courses": courses})
         settings = {"pga_g": [0.0005, 0.001, 0.15]}
         curve = collapse_curve(case, motion, search="list", settings=settings)
@@ -281,14 +281,14 @@ def test_yade_and_the_compiled_solver(facade):
 def test_impossible_bases(facade, models, message):
     """One line with key, value and what was expected."""
     with pytest.raises(ConfigError, match=message):
-        configuration.resolve({"facade": facade, "models": models})
+        study_settings({"facade": facade, "models": models})
 
 
 def test_a_gap_behind_courses_is_open_by_as_much():
     """The plane of the wall stands back by it: the courses' joints with it are less deep."""
     levels = []
     for gap in (0.0, 0.002):
-        case = Case.configured("W1", {"facade.courses": 4, "facade.gap_m": gap})
+        case = study_case("W1", {"facade.courses": 4, "facade.gap_m": gap})
         levels.append(to_plane(build_scene(case.sections)).lines.level_m)
     assert (levels[1] - levels[0]).min() == pytest.approx(-0.002)
     assert (levels[1] - levels[0]).max() < 1e-9

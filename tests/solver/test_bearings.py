@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.solver import Motions, history, to_plane
+from study_cases import study_settings
 from yade_process import in_yade, resolved
 
 from yade_scripts.model.models import build_scene
@@ -91,7 +91,7 @@ def test_a_bond_holds_until_it_breaks():
 
 def test_a_bonded_base_is_refused_where_it_starts_open():
     with pytest.raises(ConfigError, match=r"facade.tilt_deg = 0.5: expected 0 \(°\) with a bond"):
-        configuration.resolve({"facade": {"tilt_deg": 0.5, "bond_tension_mpa": 0.1}})
+        study_settings({"facade": {"tilt_deg": 0.5, "bond_tension_mpa": 0.1}})
 
 
 def test_a_load_with_inertia_lies_on_the_top():

@@ -5,12 +5,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from both_solvers import pulses
-from rocking import Case
 from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
 from rocking.solver import rubbing, stable_step, stack_kernel
 from rocking.solver.runs import Motions, fitted, history, peaks
 from rocking.solver.stack import LEAD
+from study_cases import study_case
 
 from yade_scripts.model.models import build_scene
 from yade_scripts.model.scene import NO_DRAG
@@ -20,7 +20,7 @@ FOUR = {"facade.courses": 4, "facade.courses_growth": 1.5, "return_wall.building
 
 
 def courses(model, **more):
-    return Case.configured(model, {**FOUR, **more})
+    return study_case(model, {**FOUR, **more})
 
 
 def closure(screen, pga_g, share=1.0):

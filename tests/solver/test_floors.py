@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 from both_solvers import BETA_S, FEW, agreed, pulses
-from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.solver.plane import matrices, to_plane
 from rocking.solver.runs import Motions, history
+from study_cases import study_settings
 from test_ties import G
 from yade_process import resolved
 
@@ -164,4 +164,4 @@ def test_matrices_hold_a_roof_of_its_own():
 def test_impossible_floors(floor, given, message):
     """One line with key, value and what was expected."""
     with pytest.raises(ConfigError, match=message):
-        configuration.resolve({"facade": {"floors": [floor]}, "models": ["W1"], **given})
+        study_settings({"facade": {"floors": [floor]}, "models": ["W1"], **given})

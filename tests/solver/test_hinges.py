@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from both_solvers import BETA_S, FEW, agreed, pulses
 from rocking.collapse.scan import carried_masses
-from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.mechanics.blocks import weakest_hinge
 from rocking.solver.bars import of_scene
 from rocking.solver.plane import moving_supports, to_plane
 from rocking.solver.runs import Motions, history
 from rocking.solver.stack import stack_matrices, stacked
+from study_cases import study_settings
 from test_floors import ROOF, floored, slow
 from test_ties import G
 from yade_process import in_yade
@@ -224,7 +224,7 @@ def test_yade_and_the_compiled_solver():
 def test_impossible_hinges(facade, models, message):
     """One line with key, value and what was expected."""
     with pytest.raises(ConfigError, match=message):
-        configuration.resolve({"facade": facade, "models": models})
+        study_settings({"facade": facade, "models": models})
 
 
 LEVEL = {**HELD, "load_kn": 30.0, "arm_m": None, "bearing": "flat", "stiffness_kn_m": 2e5}
@@ -341,4 +341,4 @@ def test_impossible_bearings(floor, facade, message):
     """One line with key, value and what was expected."""
     own = {"sides": "two", "hinges_m": [3.6], "floors": [{**LEVEL, **floor}], **facade}
     with pytest.raises(ConfigError, match=message):
-        configuration.resolve({"models": ["W1"], "facade": own})
+        study_settings({"models": ["W1"], "facade": own})

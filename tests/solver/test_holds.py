@@ -5,11 +5,11 @@ import math
 import numpy as np
 import pytest
 from both_solvers import FEW, agreed, pulses
-from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.configuration.static_stability import restoring
 from rocking.solver.plane import matrices, to_plane
 from rocking.solver.runs import Motions, history
+from study_cases import study_settings
 from test_floors import floored
 from yade_process import resolved
 
@@ -112,7 +112,7 @@ def test_anchors_that_end_too_soon():
     with pytest.raises(
         ConfigError, match=r"floors\[1\].anchor_reach_m = 0.0005: expected at least"
     ):
-        configuration.resolve({"facade": {"floors": [floor]}, "models": ["W1"]})
+        study_settings({"facade": {"floors": [floor]}, "models": ["W1"]})
     heights = {"height_m": 15.0, "floors": [{**ALONE, "height_m": 12.0, "anchor_kn": 100.0}]}
     config = resolved(facade=heights, models=["W1"])
     (row,) = config["facade"]["floors"]

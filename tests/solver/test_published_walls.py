@@ -13,7 +13,7 @@ import pytest
 from rocking.solver import Motions, history, to_plane
 
 from yade_scripts.model.quadrature import gauss_lobatto
-from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
+from yade_scripts.model.scene import Block, Interface, NodeList, Scene, box_inertia
 
 LENGTH, HEIGHT, DENSITY = 0.4, 0.175, 1000.0
 FRICTION, STIFFNESS_PA_M, BETA_S = 0.65, 2e8, 4e-4
@@ -50,7 +50,9 @@ def wall(rows, across, ends=2):
     def join(a, b, start, along, length, normal):
         line = np.array(start) + np.outer(places * length, along)
         stiff = STIFFNESS_PA_M, STIFFNESS_PA_M
-        nodes.add_joint(f"{a} on {b}", a, b, line, normal, weights * length, *stiff, **law)
+        nodes.add_joint(
+            f"{a} on {b}", a, b, line, normal, weights * length, Interface(*stiff, **law)
+        )
 
     for r, (below, row) in enumerate(itertools.pairwise(courses)):
         for (low, high, a), (first, last, b) in itertools.product(row, below):

@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
-from rocking import Case, Motion
+from rocking import Motion
 from rocking.collapse.curve import run_by
 from rocking.records import Record
 from rocking.solver import history, peaks
 from rocking.solver.inputs import SPAN_S, steps_of
+from study_cases import study_case
 
 T = 0.01 * np.arange(400)
 PULSES = Motion(Record("pulses", -np.sin(2.5 * np.pi * T) * (T < 1.6), 0.01, source="file"))
@@ -17,7 +18,7 @@ COURSES = {"facade.courses": 3, "facade.courses_growth": 1.5}
 def test_each_second_has_the_largest_displacement_of_the_history_in_it(model, wall):
     """Against every step of the series, of histories alone and side by side, until they fall."""
     building = {"return_wall.building_mass_kg": 6.6e4} if model.endswith("m") else {}
-    case = Case.configured(model, {**wall, **building, "numerics.after_motion_s": 2.0})
+    case = study_case(model, {**wall, **building, "numerics.after_motion_s": 2.0})
     screen = run_by("planar", case, PULSES, "pos")
     plane, how = screen.planes[0], {"carried": screen.carried, "step_s": screen.steps_s[0]}
     motions, factors = screen.shaking(np.linspace(0.05, 0.45, 12))

@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 from both_solvers import FEW, agreed
-from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.solver.plane import matrices, to_plane
 from rocking.solver.runs import Motions, history
+from study_cases import study_settings
 from test_floors import floored, slow
 from yade_process import resolved
 
@@ -98,7 +98,7 @@ def test_yade_and_the_compiled_solver(name):
 )
 def test_what_cannot_be_is_refused_in_one_line(facade, words):
     with pytest.raises(ConfigError) as refused:
-        configuration.resolve({"facade": facade, "models": ["W1"]})
+        study_settings({"facade": facade, "models": ["W1"]})
     assert words in str(refused.value)
     assert "\n" not in str(refused.value)
 

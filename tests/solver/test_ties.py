@@ -8,6 +8,7 @@ from both_solvers import BETA_S, FEW, agreed, pulses
 from rocking.configuration.config import ConfigError
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import Motions, history
+from study_cases import study_settings
 from yade_process import resolved
 
 from yade_scripts.model.facade import facade_scene
@@ -146,7 +147,6 @@ def test_matrices_hold_the_tie():
 )
 def test_impossible_ties(facade, models, message):
     """One line with key, value and what was expected."""
-    from rocking.configuration import config
 
     with pytest.raises(ConfigError, match=message):
-        config.resolve({"facade": facade, "models": models})
+        study_settings({"facade": facade, "models": models})

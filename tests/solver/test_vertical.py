@@ -236,4 +236,4 @@ def test_a_record_without_a_vertical_motion_is_named():
     """Before anything is planned, in one line; off asks for none."""
     Runs({}, ROOT)
     with pytest.raises(ConfigError, match=r"vertical_motion = on: .*line 2: record BUCAR0 has no"):
-        Runs({"vertical_motion": "on"}, ROOT)
+        Runs({"vertical_motion": "on", "records_table": "config/records.tsv"}, ROOT)

@@ -14,6 +14,7 @@ from tests.cases import yielding_cases
 from yade_scripts.model import storeys as plain
 from yade_scripts.model.models import build_scene
 from yade_scripts.model.motion import amplitude
+from yade_scripts.model.registry import MODELS
 
 FACTORS = (0.3, 1.0, -2.0, 2.0, 4.0)
 FALLS = {"loss_drift_ratio": 0.002, "lost_drift_ratio": 0.006, "residual": 0.3}
@@ -108,6 +109,26 @@ def test_so_strong_a_building_is_the_elastic_one(model, loops):
         for ratio in (None, 10.0)
     )
     assert strong.table[list(elastic.table)].equals(elastic.table)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("courses", [0, 4])
+@pytest.mark.parametrize("model", [name for name, kind in MODELS.items() if kind.scanned])
+def test_so_strong_a_building_is_the_elastic_one_in_every_model(model, courses):
+    """V/W of 10 of every model that the compiled solver has, whole and in courses."""
+    keys = {"facade.courses": courses, "facade.courses_growth": 1.5 if courses else 1.0}
+    if courses and not (MODELS[model].single_block and not MODELS[model].bonded):
+        pytest.skip("a façade in one block alone")
+    if model == "W3m":
+        with pytest.raises(ValueError, match="bricks carry an elastic building"):
+            yielding_cases.case(model, 10.0)
+        return
+    cases = [yielding_cases.case(model, ratio).varied(keys) for ratio in (None, 10.0)]
+    motion = Motion.named("RRS228")
+    elastic, strong = (
+        run_by("planar", case, motion, "neg").run([0.06, 0.15], False) for case in cases
+    )
+    assert strong.equals(elastic)
 
 
 @pytest.mark.parametrize("loops", plain.LAWS)

@@ -19,7 +19,7 @@ ROOT = Path(__file__).resolve().parents[2]
 FILE = ROOT / "containers" / "Containerfile"
 PROJECT = "opt/rocking-facades"
 USER = "65534:65534"  # nobody: Snakemake asks for a name
-CURVE = ["records=RRS228", "directions=neg", "models=W1", "run=try"]
+CURVE = ["records=GMN_NS", "directions=neg", "models=W1", "run=try"]
 MADE = ("results/try/tables/ida_collapse.csv", "results/try/figures/fig09_ida.png")
 UNTRIED = "Not tried: the base image, and how podman and Apptainer read their files."
 LIMIT_S = 3600

@@ -29,6 +29,7 @@ from rocking.collapse.curve import run_by
 from rocking.collapse.hidden import WINDOW
 from rocking.collapse.probability import LEVELS, probability
 from rocking.collapse.quick import crossings
+from rocking.configuration.study import as_in_the_study
 from rocking.tables import write_table
 
 SUITE = "config/suites/recorded_suite.tsv"
@@ -160,7 +161,7 @@ def row(curve, args):
     record, model, direction, *seed = curve.split(":")
     mass = {"return_wall.building_mass_kg": BUILDING_KG} if model.endswith("m") else None
     walls = COURSES if args.courses else {}
-    case = Case.configured(model, {**(mass or {}), **walls} or None)
+    case = Case.configured(model, as_in_the_study({**(mass or {}), **walls} or None))
     how = {"seed": int(seed[0])} if seed else {}
     motion = Motion.named(record, args.surrogates if seed else args.records, **how)
     # no curve pays for machine code that is made or loaded once

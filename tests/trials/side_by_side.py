@@ -17,11 +17,12 @@ from unittest import mock
 import numpy as np
 from rocking.collapse.scan import carried_masses, driving
 from rocking.configuration import config
+from rocking.configuration.study import as_in_the_study
 from rocking.records import load, read_table
 from rocking.solver import Motions, peaks, runs, stable_step, to_plane
 from rocking.solver.stack import Stack
 
-from smdof import floor_motions
+from smdof import floor_motions, shear_chain
 from yade_scripts.model import registry
 from yade_scripts.model.models import build_scene
 
@@ -74,7 +75,7 @@ def drawn_case(draw):
         }
         sections["numerics"]["step_fraction"] = 0.05
         try:
-            case = config.resolve(sections) | {"model": model}
+            case = config.resolve(as_in_the_study(sections)) | {"model": model}
             case["beta_s"] = float(draw.choice([0.0, 1e-4, 2.76e-3]))
             kind = registry.model(model)  # what carries one block's walls is beside its scene
             own = {"model": kind.one_way_model} if kind.single_block else {}
@@ -115,7 +116,7 @@ def drawn_motions(draw, kind, case, scene):
     (ground, time), chain = drawn_ground(draw, kind), case["smdof"]
     floors = ground + draw.normal(0.0, 1.0, (chain["n_dof"], ground.size)) * (kind == "uneven")
     if kind in ("window", "rest", "again", "long", "odd"):
-        shaken = floor_motions(ground, time[1], chain["n_dof"], chain["period_s"])
+        shaken = floor_motions(ground, time[1], shear_chain(chain["n_dof"], chain["period_s"]))
         whole = len(shaken.time_s) // int(draw.integers(1, 3))  # may end while the floors move
         time, ground = shaken.time_s[:whole], shaken.ground_m_s2[:whole]
         floors = shaken.floors_m_s2[:, :whole]

@@ -23,6 +23,7 @@ import numpy as np
 import pandas as pd
 from rocking import Case, Motion
 from rocking.collapse.curve import run_by
+from rocking.configuration.study import as_in_the_study
 from rocking.records import read_table
 from rocking.solver import peaks
 from rocking.tables import write_table
@@ -85,7 +86,9 @@ def lowest(curves, levels=60, ahead=6):
 def rows_of(kind, shaken):
     """Rows of a kind of scene, one a step."""
     model, given, how = KINDS[kind]
-    case = Case.configured(model, {**given, **(HEAVY if model.endswith("m") else {})})
+    case = Case.configured(
+        model, as_in_the_study({**given, **(HEAVY if model.endswith("m") else {})})
+    )
     curves = [run_by("planar", case, Motion.named(name, SUITE, **how), d) for name, d in shaken]
     falls = lowest(curves)
     pairs = [(c, share * g) for c, g in zip(curves, falls, strict=True) for share in SHARES]

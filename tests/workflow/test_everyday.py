@@ -5,7 +5,6 @@ import math
 import os
 import re
 import shlex
-import shutil
 import signal
 import subprocess
 import sys
@@ -60,24 +59,6 @@ def records(tmp_path_factory):
     table = ["record\tfile\tdt_s\tunits", *rows, "NOUNITS\tgood.txt\t0.01\t"]
     (folder / "mine.tsv").write_text("\n".join(table) + "\n")
     return folder
-
-
-def test_records_without_a_station_are_named_where_an_interval_is_drawn(records, tmp_path):
-    """Once, and not by a target that draws none, nor where the table names stations."""
-    table, path = "record\tfile\tdt_s\tunits\tstation", tmp_path / "mine.tsv"
-    rows = [f"S{i}{c}\t{records / 'good.txt'}\t0.01\tg" for i in range(4) for c in "NE"]
-    words = ["-n", "--config", "records_table=mine.tsv", "models=W1,W2", "directions=pos", "--"]
-
-    def said(stations, target):
-        path.write_text("\n".join([table, *map("{}\t{}".format, rows, stations)]) + "\n")
-        done = snakemake(tmp_path, *words, target)
-        assert done.returncode == 0, done.stderr[-2000:]
-        return [line for line in lines(done, "warning") if "station" in line]
-
-    (line,) = said([""] * 8, "fragility")
-    assert line.startswith("warning: mine.tsv: 8 of 8 records name no station")
-    assert said([""] * 8, "all") == []
-    assert said([f"S{i // 2}" for i in range(8)], "fragility") == []
 
 
 MINE = ["--config", "run=mine", "records_table=mine.tsv"]
@@ -271,7 +252,7 @@ def test_targets_in_commands_of_the_pages_stand_behind_two_dashes():
 
 
 def test_an_interrupted_run_says_what_is_kept(tmp_path):
-    words = ["--config", "run=stopped", "records=RRS228", "models=W1", "directions=pos"]
+    words = ["--config", "run=stopped", "records=GMN_NS", "models=W1", "directions=pos"]
     run = subprocess.Popen(
         [*COMMAND, *words],
         cwd=tmp_path,
@@ -290,82 +271,3 @@ def test_an_interrupted_run_says_what_is_kept(tmp_path):
     finally:
         run.kill()
     assert "finished runs are kept; repeat the command" in said
-
-
-TABLE = """model,record,direction,pga_safe_g,pga_collapse_g,pga_median_g
-W1,A,pos,0.1,0.2,{}
-W1,A,neg,0.1,,
-"""
-
-
-@pytest.fixture
-def finished(tmp_path):
-    """Two finished runs in results/, whose façades differ in height."""
-    for name, height, median in (("low", 5.0, 0.3), ("tall", 8.0, 0.15)):
-        folder = tmp_path / "results" / name
-        (folder / "tables").mkdir(parents=True)
-        (folder / "tables/ida_collapse.csv").write_text(TABLE.format(median))
-        text = f"run: {name}\nseed: 1\nmodels: [W1]\nfacade:\n  height_m: {height}\n"
-        (folder / "config.yaml").write_text(text)
-    (tmp_path / "results/tall/records").mkdir()
-    facts = '{"name": "A", "source": "file", "details": {}}'
-    (tmp_path / "results/tall/records/A.json").write_text(facts)
-    return tmp_path
-
-
-def test_records_of_a_finished_run_are_those_of_its_curves_that_it_still_has(finished):
-    (finished / "results/tall/records/B.json").touch()  # of no curve
-    words = ("--config", "compare=low,tall", "--", "compare")
-    done = snakemake(finished, "-n", *words)
-    assert done.returncode == 0, done.stderr[-3000:]
-    told = done.stdout + done.stderr
-    assert "results/tall/records/A.json" in told
-    assert not re.search(r"records/B\.json|low/records", told)
-
-
-def test_finished_runs_side_by_side_with_what_differs(finished):
-    done = snakemake(finished, "--config", "run=both", "compare=low,tall", "--", "compare")
-    assert done.returncode == 0, done.stderr[-3000:]
-    table = read(finished / "results/both/compare/collapse.csv")
-    assert [(row["run"], row["facade.height_m"]) for row in table] == [
-        ("low", "5.0"),
-        ("low", "5.0"),
-        ("tall", "8.0"),
-        ("tall", "8.0"),
-    ]
-    assert [row["pga_median_g"] for row in table] == ["0.3", "", "0.15", ""]
-    assert "seed" not in table[0]  # the same in both
-    assert (finished / "results/both/compare/collapse.png").stat().st_size > 10_000
-
-
-@pytest.mark.parametrize(
-    ("named", "told"),
-    [
-        (
-            "low,high",
-            "no finished run 'high' (no file results/high/tables/ida_collapse.csv); "
-            "there are low, tall",
-        ),
-        ("low,bare", "no finished run 'bare' (no file results/bare/config.yaml); there are low,"),
-        ("low", "one run only; give a grid"),
-    ],
-)
-def test_what_cannot_be_compared_is_one_line(finished, named, told):
-    bare = finished / "results/bare/tables"
-    bare.mkdir(parents=True)
-    shutil.copy(finished / "results/low/tables/ida_collapse.csv", bare)
-    done = snakemake(finished, "-n", "--config", f"compare={named}", "--", "compare")
-    assert done.returncode == 1
-    (line,) = lines(done, "error:")
-    assert told in line
-    if "high" in named:
-        assert "there are low, tall" in line
-
-
-def test_a_grid_is_compared_by_running_it(tmp_path):
-    words = ["--config", "run=g", "records=RRS228", "grid={facade.height_m: [5, 6]}"]
-    done = snakemake(tmp_path, "-n", *words, "--", "compare")
-    assert done.returncode == 0, done.stderr[-3000:]
-    jobs = dict(line.split()[:2] for line in done.stdout.splitlines() if len(line.split()) == 2)
-    assert jobs["ida_collapse"] == "2"
-    assert jobs["compare_runs"] == "1"

@@ -65,7 +65,7 @@ def test_they_are_in_order_where_they_are_laid(project):
 @pytest.mark.slow
 def test_the_study_runs_and_its_page_of_keys_is_written(project):
     """Its keys are checked, its rows and its figure are made, and its test passes."""
-    given = ["--config", "run=new", "records=RRS228", "directions=neg", "models=W1", COARSE]
+    given = ["--config", "run=new", "records=GMN_NS", "directions=neg", "models=W1", COARSE]
     wrong = called(
         project, "snakemake", "-n", *given, "friction={angles_deg: [2, 30]}", "--", "friction"
     )

@@ -4,12 +4,15 @@ import ast
 from collections import defaultdict
 from pathlib import Path
 
-TOP = Path(__file__).resolve().parents[2] / "workflow"
+ROOT = Path(__file__).resolve().parents[2]
+TOPS = {"smdof": ROOT, "yade_scripts": ROOT, "rocking": ROOT / "workflow"}
+TOPS["studies"] = ROOT / "workflow"
+ROOMS = 16  # packages of the core, in the first two levels
 APART = {"scripts", "tests", "trials"}  # of a study: run, and imported by nobody
 MODULES = {
-    ".".join(path.relative_to(TOP).with_suffix("").parts).removesuffix(".__init__"): path
-    for package in ("rocking", "studies")
-    for path in (TOP / package).rglob("*.py")
+    ".".join(path.relative_to(top).with_suffix("").parts).removesuffix(".__init__"): path
+    for package, top in TOPS.items()
+    for path in (top / package).rglob("*.py")
     if not APART & {*path.parts} and not path.name.startswith("test_")
 }
 
@@ -58,3 +61,26 @@ def test_no_file_stands_on_itself():
     above = {name: reached(name) for name in STANDS_ON}
     cycles = [{b for b in above[a] if a in above[b]} for a in above if a in above[a]]
     assert cycles == []
+
+
+def room(name):
+    """Package of the core in which a module lies, by two names at most; "" of what is beside."""
+    parts = name.split(".") if MODULES[name].name == "__init__.py" else name.split(".")[:-1]
+    inner = ".".join(parts[:2])
+    return "" if inner in ("rocking", "yade_scripts") or parts[0] == "studies" else inner
+
+
+def test_rooms_are_few_and_every_import_goes_down():
+    """Rooms can be laid on floors: each imports of those below alone.
+
+    What lies beside the rooms of a package, such as `rocking.tables`, is in none of them.
+    """
+    below = defaultdict(set)
+    for name, others in STANDS_ON.items():
+        below[room(name)] |= {room(other) for other in others} - {room(name), ""}
+    below.pop("")
+    assert 10 < len(below) <= ROOMS
+    while below:
+        floor = {name for name, others in below.items() if not others & {*below}}
+        assert floor, f"imports in a circle among {sorted(below)}"
+        below = {name: others for name, others in below.items() if name not in floor}

@@ -22,7 +22,7 @@ MAY = {
     "yade_scripts": {"numpy"},
     "workflow/studies": {
         *("numpy", "scipy", "pandas", "matplotlib", "yaml", "pytest"),
-        *("jinja2", "markupsafe", "weasyprint"),
+        *("jinja2", "markupsafe", "meshio", "weasyprint"),
         *("smdof", "yade_scripts", "rocking", "studies"),
     },
     "workflow/scripts": {
@@ -41,7 +41,7 @@ MAY = {
             "matplotlib",
             "PIL",
         ),
-        *("meshio", "pygments"),
+        *("pygments",),
         *("smdof", "yade_scripts", "rocking"),
     },
 }

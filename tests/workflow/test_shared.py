@@ -16,6 +16,7 @@ from run_script import script
 ROOT = Path(__file__).resolve().parents[2]
 STUDY = {
     "run": "s",
+    "records_table": "config/records.tsv",
     "records": ["BUCAR0"],
     "models": ["W1"],
     "scenarios": {
@@ -141,7 +142,7 @@ def test_what_was_submitted_runs_its_jobs_itself(tmp_path):
     """As SLURM's plugin starts a group; it would start each job anew by srun, which fails here."""
     (tmp_path / "srun").write_text("#!/bin/sh\nexit 1\n")
     (tmp_path / "srun").chmod(0o755)
-    wanted = [f"results/main/capacity_reduction/T{t}_below0/BUCAR0.csv" for t in (0.2, 0.3, 0.4)]
+    wanted = [f"results/main/capacity_reduction/T{t}_below0/GMN_NS.csv" for t in (0.2, 0.3, 0.4)]
     command = [sys.executable, "-m", "snakemake", "--snakefile", str(ROOT / "workflow/Snakefile")]
     how = ("--executor", "slurm-jobstep", "--mode", "remote", "--jobs", "1", "--nolock")
     done = subprocess.run(

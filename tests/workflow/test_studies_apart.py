@@ -68,6 +68,7 @@ def test_there_are_studies():
 
 def test_nothing_else_imports_a_study_or_goes_into_its_folder():
     paths = [path for top in CORE for path in (ROOT / top).rglob("*.py")]
+    paths = [path for path in paths if "trials" not in path.parts]  # run by hand
     assert len(paths) > 300
     texts = {str(path.relative_to(ROOT)): path.read_text("utf-8") for path in paths}
     assert {name: found for name, text in texts.items() if (found := imported(text))} == {}
@@ -141,6 +142,9 @@ def test_without_any_of_them_the_main_job_is_planned(tmp_path):
         shutil.move(tmp_path / "workflow" / "studies" / name, tmp_path / name)
     status, said = planned(tmp_path)
     assert status == 0, said
+    status, said = planned(tmp_path, "--config", "models=W2m")  # no study finds its mass
+    assert status == 1
+    assert "return_wall.building_mass_kg: null; W2m takes the building's mass" in said
     assert targets(tmp_path) == targets(study=None)
     words = ["-m", "pytest", "--collect-only", "-q", "-n0", "tests"]
     done = subprocess.run(

@@ -5,7 +5,7 @@ import json
 
 import numpy as np
 import pytest
-from rocking import Case
+from study_cases import study_case
 
 from yade_scripts.commands import ida, pushover, runs
 from yade_scripts.files import read_case
@@ -14,7 +14,7 @@ from yade_scripts.model import floor_motions
 
 @pytest.fixture(scope="module")
 def sections():
-    return Case.configured("W1").sections
+    return study_case("W1").sections
 
 
 def written(path, content):

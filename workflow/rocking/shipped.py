@@ -9,6 +9,7 @@ IN_WHEEL = (
     "config/*.yaml",
     "config/*.json",
     "config/*.tsv",
+    "config/scenarios/study.yaml",
     "config/suites/*.tsv",
     "config/suites/*.yaml",
     "config/suites/*.motions",

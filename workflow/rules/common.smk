@@ -21,6 +21,7 @@ from rocking.collapse.case import SECTIONS
 from rocking.configuration import config as configuration
 from rocking.configuration import unlikely
 from rocking.configuration.chosen import chosen
+from rocking.configuration.words import in_a_line
 from rocking.records.intensity_measures import MEASURES
 from rocking.records import RecordError, read_table
 from rocking.records.check import check_runs, reach_g
@@ -33,7 +34,7 @@ from rocking.runtime import (
     made_of,
     progress,
 )
-from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
+from rocking.runtime import results_folder, run_lock, stamps, terminal, warm
 from rocking.runtime.fallback import left_out_if_unknown
 from rocking.runs import CurveKey, Runs
 from rocking.runs.names import any_of
@@ -199,6 +200,8 @@ localrules:
     records_table,
     floor_motions,
     ida_collapse,
+    table_answer,
+    answer,
     records_check,
     report_summary,
     report_table,
@@ -213,6 +216,16 @@ localrules:
     own_figure,
     shared_files,
     fig09_ida,
+
+
+def say_answers(tables):
+    """Print what the first few runs answer."""
+    from rocking.collapse import answer  # slow to load
+    from rocking.tables import read_frame
+
+    for path in list(filter(Path.is_file, tables))[:4]:
+        said = answer.lines(read_frame(path))
+        print("\n".join([f"{path.parts[-3]}: {said[0]}", *said[1:]]), file=sys.stderr)
 
 
 def lock(dag):
@@ -260,12 +273,11 @@ onstart:
             terminal.warn(filter(None, earlier))
             for name, resolved in RUNS.settings.items():
                 file_times.settle(f"{RESULTS}/{name}")
-                choices = [f"By {BY}.", *chosen(resolved, FIDELITY_FILE, LAW_FILE)]
+                found = chosen(resolved, FIDELITY_FILE, LAW_FILE, RUNS.stated[name])
+                choices = [f"By {BY}.", *found]
                 configuration.write_resolved(resolved, f"{RESULTS}/{name}/config.yaml", choices)
         except (run_lock.Busy, ValueError, OSError) as error:
             stop(error)
-        with left_out_if_unknown("choosing jobs at ends only"):
-            scheduling.choose_at_ends_only(workflow)
         with left_out_if_unknown("lines of progress"):
             tasks = progress.tasks_of(workflow, RUNS.known_runs)
             # none on a cluster, which has no such number
@@ -283,6 +295,9 @@ onstart:
 
 
 onsuccess:
+    with left_out_if_unknown("the answer in a few lines"):
+        if any(job.rule.name == "table_answer" for job in workflow.dag.jobs):
+            say_answers([Path(RESULTS) / run / "tables" / "answer.csv" for run in RUNS.settings])
     folders = ", ".join(f"{RESULTS}/{run}" for run in RUNS.settings)
     print(f"done: results in {folders}", file=sys.stderr)
 

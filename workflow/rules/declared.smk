@@ -19,12 +19,12 @@ def figure_by(source, title, category, result, about=None, params=None, **inputs
     **inputs
         Tables and facts that it takes.
     """
-    own = source.rpartition("/")[2]
+    rule_name = source.rpartition("/")[2]
     folder = BASE / "workflow" if source.startswith("studies/") else BASE / "workflow" / "scripts"
 
     rule:
         name:
-            own
+            rule_name
         input:
             **inputs,
         output:
@@ -61,28 +61,6 @@ def table_of(study, rule_name, tables=None, **outputs):
             study=study,
         script:
             str(BASE / "workflow/scripts/studies/table.py")
-
-
-def with_planar_models(target):
-    """Decorator: a function of a run's name, its models with a planar counterpart.
-
-    What is decorated takes a run's configuration and returns the variants that the target tries
-    first; a façade that cannot have one of them ends the workflow in one line.
-    """
-
-    def decorate(trials):
-        @cache
-        def models(run):
-            from rocking.collapse.additions import planar_models  # slow to load
-
-            try:
-                return planar_models(RUNS.settings[run], trials(RUNS.settings[run]))
-            except configuration.ConfigError as error:
-                stop(f"{target}: {error.detail}")
-
-        return models
-
-    return decorate
 
 
 def yade_runs_of(study, rule_name, plan, path, first=None):
@@ -140,7 +118,7 @@ def walls_of(rule_name, cases, path, **needed):
     **needed
         Files that the list names.
     """
-    own = "_".join([rule_name, *(f"{{{n}}}" for n in get_wildcard_names(path) if n != "run")])
+    log_name = "_".join([rule_name, *(f"{{{n}}}" for n in get_wildcard_names(path) if n != "run")])
 
     rule:
         name:
@@ -153,9 +131,9 @@ def walls_of(rule_name, cases, path, **needed):
         output:
             path,
         log:
-            logs(own),
+            logs(log_name),
         benchmark:
-            benchmarks(own)
+            benchmarks(log_name)
         params:
             yade=YADE,
         shell:

@@ -1,11 +1,22 @@
 # Case files: what a façade run depends on, as plain data.
 
 
+# What a study that models the building knows of it, as input functions: `mass`, a file with the mass behind the
+# façade; `stage`, that and the building's first periods. Empty where there is no such study.
+OF_BUILDING = {}
+
+
 def mass_of_walls(wildcards):
     """File with the building's mass, where a model's walls carry it and none is stated."""
     stated = RUNS.cfg(wildcards)["return_wall"]["building_mass_kg"]
-    needed = MODELS[wildcards.model].two_way and stated is None
-    return [of_run(rules.building_fit.output[0])(wildcards)] if needed else []
+    if not MODELS[wildcards.model].two_way or stated is not None:
+        return []
+    if "mass" not in OF_BUILDING:
+        stop(
+            f"return_wall.building_mass_kg: null; {wildcards.model} takes the building's mass, and no study here"
+            " finds it: expected a mass (kg)"
+        )
+    return [OF_BUILDING["mass"](wildcards)]
 
 
 rule facade_case:

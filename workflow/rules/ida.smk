@@ -84,3 +84,37 @@ figure_by(
         facade=RUNS.params_of("facade"),
     ),
 )
+
+
+# What a run ends with: one table and one figure over all its motions.
+rule table_answer:
+    input:
+        ida=of_run(rules.ida.output[0], cases=RUNS.by_yade),
+        scans=of_run(rules.planar_ida.output.scan, cases=RUNS.scans),
+        collapse=rules.ida_collapse.output.collapse,
+        probability=rules.ida_collapse.output.probability,
+    output:
+        answer=results("tables/answer.csv"),
+        checked=results("tables/answer_yade.csv"),
+    params:
+        models=value_of("models"),
+        stations=RUNS.stations,
+    script:
+        "../scripts/ida/table_answer.py"
+
+
+figure_by(
+    "ida/answer",
+    "answer",
+    "Answer",
+    "at what shaking it falls, with what probability",
+    answer=rules.table_answer.output.answer,
+    checked=rules.table_answer.output.checked,
+    probability=rules.ida_collapse.output.probability,
+    facts=of_run(rules.record.output.facts),
+    params=dict(
+        about=lambda w: in_a_line(RUNS.cfg(w)),
+        drift=value_of("smdof.fallen_drift_ratio"),
+        facade=RUNS.params_of("facade"),
+    ),
+)

@@ -4,12 +4,14 @@
 rule floor_motions:
     input:
         record=rules.record.output.record,
+        floors=of_alike(RUNS.floor_files),
     output:
         shared("{chain}/smdof/{record}_{n}dof.csv"),
     log:
         shared("{chain}/logs/floor_motions_{record}_{n}.log"),
     params:
         smdof=of_alike(RUNS.params_of("smdof")),
+        floors=of_alike(RUNS.floors),
     script:
         "../scripts/smdof/floor_motions.py"
 

@@ -36,12 +36,9 @@ GIVEN = ("scene", "motion", "second", "record", "direction")
 
 
 def read_motion(given):
-    """Time and accelerations of a motion, from a file, files by intensity, or as lists."""
+    """Time and accelerations of a motion, from a file, or as lists."""
     if isinstance(given, str):
         return floor_motions.read(given)
-    if isinstance(given, list):
-        levels = [floor_motions.read(path) for path in given]
-        return levels[0][0], yielding.TabulatedFloors([columns for _, columns in levels])
     columns = {name: np.array(values, float) for name, values in given["columns"].items()}
     return np.array(given["time_s"], float), columns
 

@@ -89,7 +89,7 @@ def released(wall, beta_s):
         step,
         rules,
         sample_s=limit_s / SAMPLES,
-        node_radius_m=config["numerics"].get("node_radius_m", 1e-3),
+        making=simulate.Making(config["numerics"].get("node_radius_m", 1e-3)),
     )
 
 

@@ -23,8 +23,7 @@ from yade_scripts.engine.welds import Welds
 from yade_scripts.model.motion import SupportMotion
 from yade_scripts.model.scene import DOFS
 
-__all__ = ["Built", "EngineError", "Motion", "SupportMotion", "build", "load_yade"]
-Motion = SupportMotion  # its name of one version ago
+__all__ = ["Built", "EngineError", "SupportMotion", "build", "load_yade"]
 
 # A node and a face so near are looked at in every step. A larger distance costs more of that than
 # it spares of sorting, which YADE does anew once a body has moved so far.

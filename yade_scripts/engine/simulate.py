@@ -3,6 +3,7 @@
 import math
 import time
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -175,6 +176,21 @@ class _Monitor:
         )
 
 
+class Making(NamedTuple):
+    """How a scene becomes bodies of YADE.
+
+    `node_radius_m` and `full_rotation` are those of `adapter.build`. With `compensate_lag` return
+    walls and links are corrected for the late dashpot velocity, see `stiffness.compensated`.
+    """
+
+    node_radius_m: float = 1e-3
+    full_rotation: bool = False
+    compensate_lag: bool = True
+
+
+AS_USUAL = Making()
+
+
 def run(
     scene,
     motions,
@@ -182,27 +198,24 @@ def run(
     rules,
     *,
     sample_s=0.005,
-    node_radius_m=1e-3,
-    full_rotation=False,
+    making=AS_USUAL,
     setup=None,
     check=None,
-    compensate_lag=True,
 ):
     """Run a scene in YADE until it overturns, rests, fails or reaches the limit: its `YadeHistory`.
 
     Samples are the only Python of a run; `check` is sampled in the same call from YADE, which costs
     as much as the Python in it. `setup` is called with the `Built` scene before the first step
-    (recorders, other engines). With `compensate_lag` return walls and links are corrected for the
-    late dashpot velocity, see `stiffness.compensated`.
+    (recorders, other engines).
     """
-    if compensate_lag:
+    if making.compensate_lag:
         scene = compensated(scene, dt_s)
     built = adapter.build(
         scene,
         motions,
         dt_s,
-        node_radius_m=node_radius_m,
-        full_rotation=full_rotation or scene.two_components,
+        node_radius_m=making.node_radius_m,
+        full_rotation=making.full_rotation or scene.two_components,
     )
     omega = built.omega
     monitor = _Monitor(scene, built, rules)

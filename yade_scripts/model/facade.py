@@ -31,6 +31,7 @@ import numpy as np
 
 from yade_scripts.model import registry
 from yade_scripts.model.base import BASE, base_jkn, shares, total
+from yade_scripts.model.chain import yields
 from yade_scripts.model.facades import Facade
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.floors import facade_floors, level_loads
@@ -41,7 +42,17 @@ from yade_scripts.model.panels import base_block, building_mass, hang_base
 from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
 from yade_scripts.model.rest import at_rest
 from yade_scripts.model.return_walls import WALL, add_return_walls, back_jkn
-from yade_scripts.model.scene import DOFS, DRY, NO_DRAG, Block, NodeList, Scene, box_inertia, held
+from yade_scripts.model.scene import (
+    DOFS,
+    DRY,
+    NO_DRAG,
+    Block,
+    Interface,
+    NodeList,
+    Scene,
+    box_inertia,
+    held,
+)
 from yade_scripts.model.shape import shape_of
 from yade_scripts.model.storeys import sliders
 from yade_scripts.model.thrusts import thrust_ties
@@ -93,97 +104,113 @@ def facade_scene(
     of free rocking: the façade starts rotated outward about its front toe, at rest, with the base
     nodes around the toe carrying its weight.
 
-    `thickness_m` of the scene is that of the whole façade, also of one in pieces: what its top
-    moves by as the weight line of all of it passes the toe, b for a plain one. d is measured from
-    the base; of pieces it is the largest displacement of any one's top.
+    `thickness_m` of the scene is what the whole façade's top moves by as its weight line passes the
+    toe, b for a plain one. d is measured from the base; of pieces it is the largest of any top.
 
-    ValueError of one line for an unknown model, a release that is not within 0 ≤ θ₀/α < 1, ties and
-    floors that meet no return wall, two components with masses that are not driven, or a base that
-    hangs on a building without a mass.
+    ValueError of one line for an unknown model, a release not within 0 ≤ θ₀/α < 1, what meets no
+    return wall, two components with masses that are not driven, a base on a building without mass.
     """
-    kind = registry.model(model)
-    if not kind.single_block:
-        raise ValueError(f"façade model '{model}' has an assembly of its own")
-    if not 0.0 <= release_ratio < 1.0:
-        raise ValueError(f"release θ0/α must lie in [0, 1), got {release_ratio}")
-    facade = Facade.of(config["facade"])
-    config = {**config, "facade": facade}
-    shape, raised = shape_of(facade), facade.base_height_m
+    kind, facade = registry.model(model), Facade.of(config["facade"])
+    config, shape = {**config, "facade": facade}, shape_of(facade)
+    _refuse(model, kind, release_ratio)
     if two_components and (planar or kind.two_way or shape.hinges_m):
         raise ValueError(f"{model}: two components need a full scene, one block, driven supports")
     motions: dict = {}
-    hangs = kind.two_way and bool(raised)
-    driven = None if kind.two_way else _base_motion(config, motions)
-    blocks, nodes = [ground_block(facade, driven)], NodeList()
+    hangs = kind.two_way and bool(facade.base_height_m)
+    blocks, nodes = [ground_block(facade, _base_motion(config, kind, motions))], NodeList()
     walls_stand = kind.walls != "none" and not facade.is_free
     columns = None if planar else _columns(shape.base_strips, width_nodes)
     base = 2 + len(shape.hinges_m) if hangs else 0
     beds = Beds(config, beta_s, nodes, planar=planar)
     _stand(beds, blocks, shape, columns, release_ratio, walls_stand, base)
-    tops = [
-        (blocks[k].name, (0.0, 0.5 * sum(shape.faces_at(z)), z))
-        for k, z in enumerate(shape.hinges_m, 1)
-    ]
+    tops = _tops(blocks, shape)
     if hangs:
         blocks.append(base_block(config, blocks[0]))
         blocks[0] = replace(blocks[0], name=UNDER)
     walls, links, masses = [], [], []
     if walls_stand or hangs:
-        walls, links, masses = add_return_walls(
-            config, kind, beta_s, blocks, nodes, planar, motions, shape, walls_stand
-        )
+        walls, links, masses = add_return_walls(beds, kind, blocks, motions, shape, walls_stand)
         if hangs:
             hang_base(config, blocks, nodes, base, masses)
     if two_components:
-        blocks = [b if b.free else replace(b, motion_x=along(b.motion)) for b in blocks]
-        motions |= _along_the_facade(motions)
-
-    pressing = level_loads(facade, shape, blocks, walls, beds)
+        blocks = _along_the_facade(blocks, motions)
+    pressing = level_loads(shape, blocks, walls, beds)
     behind = walls, blocks, shape
-    ties = facade_ties(facade.ties, *behind) + anchor_ties(facade.floors, *behind)
-    ties += thrust_ties(facade.thrusts, *behind)
     floors, springs = facade_floors(facade.floors, *behind, config["smdof"]["damping_ratio"])
-    even, found = _even(nodes.joints, tops) if facade.courses else [], nodes.done()
-    of_courses = np.isin(found.joint, [nodes.joints.index(name) for name in even])
-    found.drag[of_courses & (found.kind == DRY)] = NO_DRAG
+    even = _even(nodes.joints, tops) if facade.courses else []
     notes = {"motions": motions, "watched": tops, "even": even}
     return Scene(
         blocks,
         nodes.joints,
-        found,
+        _without_drag(nodes, even),
         monitor=blocks[1 + len(tops)].name,
         monitor_point_m=(0.0, 0.5 * sum(shape.storeys[-1][2:]), shape.top_m),
         reference=BASE,
         thickness_m=facade.thickness_m if facade.is_plain else shape.overturning_m,
         links=[*links, *springs],
-        ties=ties,
+        ties=_ties(facade, *behind),
         floors=floors + pressing + _storeys(config, blocks, masses),
         shaking=GROUND if kind.two_way else None,
         notes={key: value for key, value in notes.items() if value},
     )
 
 
+def _refuse(model, kind, release_ratio):
+    """ValueError of one line for a model of another assembly, or a release that is none."""
+    if not kind.single_block:
+        raise ValueError(f"façade model '{model}' has an assembly of its own")
+    if not 0.0 <= release_ratio < 1.0:
+        raise ValueError(f"release θ0/α must lie in [0, 1), got {release_ratio}")
+
+
+def _tops(blocks, shape):
+    """Name of each piece below the highest, and the middle of its top (x, y, z)."""
+    middle = [(0.0, 0.5 * sum(shape.faces_at(z)), z) for z in shape.hinges_m]
+    return [(blocks[k].name, point) for k, point in enumerate(middle, 1)]
+
+
+def _ties(facade, walls, blocks, shape):
+    """Ties, anchors of floors and thrusts of a façade."""
+    behind = walls, blocks, shape
+    ties = facade_ties(facade.ties, *behind) + anchor_ties(facade.floors, *behind)
+    return ties + thrust_ties(facade.thrusts, *behind)
+
+
 def _storeys(config, blocks, masses):
     """What yields between the masses of the chain, where these are part of the scene."""
+    if not masses or not yields(config["smdof"]):
+        return []
     heights = [blocks[i].centre_m[2] for i in masses]
-    return sliders(config, building_mass(config), masses, heights) if masses else []
+    chain, whole_m = config["smdof"], config["facade"].building_top_m
+    return sliders(chain, whole_m / chain["n_dof"], building_mass(config), masses, heights)
 
 
-def _base_motion(config, motions):
-    """Name of the motion of a driven base: the ground's, or further up the chain's by height."""
+def _base_motion(config, kind, motions):
+    """Motion of a driven base, by name: the ground's, further up the chain's by height; or None."""
     facade = config["facade"]
+    if kind.two_way:
+        return None
     if not facade.base_height_m:
         return GROUND
     whole, n = facade.building_top_m, config["smdof"]["n_dof"]
     return motion_of("interpolated", facade.base_height_m, whole, n, motions)
 
 
-def _along_the_facade(motions):
-    """Mixed motions along x that go with those out of plane, by name and weights."""
-    return {
+def _along_the_facade(blocks, motions):
+    """Blocks whose supports are driven along x too; to `motions` mixed ones along x are added."""
+    motions |= {
         along(name): {along(floor): share for floor, share in mix.items()}
         for name, mix in motions.items()
     }
+    return [b if b.free else replace(b, motion_x=along(b.motion)) for b in blocks]
+
+
+def _without_drag(nodes, even):
+    """`Nodes` of a list, without dashpots along dry joints of these names."""
+    columns = nodes.done()
+    of_courses = np.isin(columns.joint, [nodes.joints.index(name) for name in even])
+    columns.drag[of_courses & (columns.kind == DRY)] = NO_DRAG
+    return columns
 
 
 def _even(joints, tops):
@@ -212,8 +239,8 @@ def _stand(beds, blocks, shape, columns, release_ratio, walls_stand, base):
         rotation_rad=rotation,
         lever_m=shape.lever_m,
     )
-    blocks += pieces(facade, shape, upright) if shape.hinges_m else [upright]
-    stiffness = hinge_stiffness(facade, shape)
+    stiffness = hinge_stiffness(facade.e_mpa, shape)
+    blocks += pieces(facade.floors, stiffness, shape, upright) if shape.hinges_m else [upright]
     for k, z in enumerate(shape.hinges_m, 1):
         beds.bed(f"hinge {k}", k + 1, k, z, float(stiffness[k - 1]), meets=shape.joint_at(z))
 
@@ -223,29 +250,32 @@ class Beds:
 
     def __init__(self, config, beta_s, nodes, *, planar):
         """Of a façade of this configuration; its joints are added to `nodes`."""
+        self.config, self.planar = config, planar
         self.facade, self.beta_s, self.nodes = Facade.of(config["facade"]), beta_s, nodes
         self.points, self.weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
         gauss = np.array([-0.5, 0.5]) * (self.facade.width_m / math.sqrt(3.0))
         self.columns = MIDDLE if planar else (gauss, np.array([0.5, 0.5]))  # x and weights
 
-    def base(self, facade, ground, *, origin=(0.0, 0.0), protrusion_m=0.0, columns=None):
+    def base(self, block, ground, *, origin=(0.0, 0.0), protrusion_m=0.0, columns=None):
         """Add the joint between the façade's base and the ground, blocks by their indices.
 
         `origin` is x of the façade's middle and y of its back face, `protrusion_m` how far each
         node across the thickness stands below the base; `columns` are other places in x and
         weights than those of the joints above it.
         """
-        own, points, weights = self.facade, self.points, self.weights
-        b, standing = own.thickness_m, own.width_m - shape_of(own).base_lost_m
+        facade, points, weights = self.facade, self.points, self.weights
+        b, standing = facade.thickness_m, facade.width_m - shape_of(facade).base_lost_m
         low = np.broadcast_to(protrusion_m, points.shape)
         line = np.stack([origin[0] + 0 * points, origin[1] + points * b, 0 * points - low], axis=1)
         columns = columns or self.columns
         places, areas = over_columns(line, weights * b * standing, columns)
         gaps = np.tile(-low, len(columns[0]))
-        jkn = base_jkn(own) * np.tile(shares(own, weights) / weights, len(columns[0]))
-        jks = own.shear_stiffness_ratio * jkn
-        held_by = {"beta_s": self.beta_s, **bond(own), "gap_m": gaps}
-        self.nodes.add_joint(BASE, facade, ground, places, (0, 0, 1), areas, jkn, jks, **held_by)
+        jkn = base_jkn(facade) * np.tile(shares(facade, weights) / weights, len(columns[0]))
+        jks = facade.shear_stiffness_ratio * jkn
+        held_by = {"beta_s": self.beta_s, **bond(facade), "gap_m": gaps}
+        self.nodes.add_joint(
+            BASE, block, ground, places, (0, 0, 1), areas, Interface(jkn, jks, **held_by)
+        )
 
     def bed(self, name, upper, lower, height_m, jkn, *, load="", meets=None):
         """Add the joint at a height between two pieces, or between the façade and a load on it.
@@ -254,17 +284,19 @@ class Beds:
         transmits no shear. Else the joint has the base's friction and bond. `meets` are faces
         (y0, y1) and lost width, see `Shape.joint_at`; None: the whole thickness and width.
         """
-        own = self.facade
-        y0, y1, lost = meets or (0.0, own.thickness_m, 0.0)
-        b, width = y1 - y0, own.width_m - lost
+        facade = self.facade
+        y0, y1, lost = meets or (0.0, facade.thickness_m, 0.0)
+        b, width = y1 - y0, facade.width_m - lost
         points, weights = self.points, self.weights
         if load == "point":
             points, weights = np.array([0.5]), np.array([1.0])
         line = np.stack([0 * points, y0 + points * b, height_m + 0 * points], axis=1)
         places, areas = over_columns(line, weights * b * width, self.columns)
-        jks = (NO_SHEAR if load else own.shear_stiffness_ratio) * jkn
-        held_by = {"beta_s": self.beta_s, **(held(0.0, 0.0, 0.0) if load else bond(own))}
-        self.nodes.add_joint(name, upper, lower, places, (0, 0, 1), areas, jkn, jks, **held_by)
+        jks = (NO_SHEAR if load else facade.shear_stiffness_ratio) * jkn
+        held_by = {"beta_s": self.beta_s, **(held(0.0, 0.0, 0.0) if load else bond(facade))}
+        self.nodes.add_joint(
+            name, upper, lower, places, (0, 0, 1), areas, Interface(jkn, jks, **held_by)
+        )
 
 
 def bond(facade):

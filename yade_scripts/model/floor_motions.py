@@ -4,6 +4,10 @@ The file has time_s, ground_m_s2, floor1_m_s2 … of absolute accelerations. A l
 vertical_m_s2, where there is one, is the vertical acceleration of ground and walls alike, positive
 upward: the building is taken as rigid along its height.
 
+Floors that another program computed at several intensities (`yielding.TabulatedFloors`) have more
+columns, floor1@1.25_m_s2 … of the ground 1.25 times as strong; the ground itself is that of the
+lowest intensity.
+
 Written by the workflow, read by it and inside YADE: `smdof/{record}_{n}dof.csv`, and with the
 ground alone the motions of a shake table.
 """
@@ -15,16 +19,17 @@ from dataclasses import replace
 import numpy as np
 
 from yade_scripts.model.motion import GROUND, VERTICAL, along
-from yade_scripts.model.yielding import ByAmplitude
+from yade_scripts.model.yielding import ByAmplitude, TabulatedFloors
 
-UNIT = "_m_s2"
+UNIT, TIMES = "_m_s2", "@"
 
 
 def read(path):
     """Read a floor-motion file: times, and accelerations [m/s²] by name, from the ground up.
 
     The names are "ground", "floor1", …, and last "vertical", if it is there. ValueError of one line
-    that names the file if a column is missing, a value is not finite or time does not rise.
+    that names the file if a column is missing, a value is not finite or time does not rise. Floors
+    at several intensities are `yielding.TabulatedFloors`.
     """
     with open(path, encoding="utf-8", newline="") as handle:
         header = handle.readline().strip().split(",")
@@ -40,7 +45,33 @@ def read(path):
     if len(down := np.flatnonzero(np.diff(data[:, 0]) <= 0.0)):
         raise ValueError(f"{path}, row {down[0] + 2}: expected time_s to rise")
     columns = {name.replace(UNIT, ""): data[:, i] for i, name in enumerate(header) if i}
-    return data[:, 0], columns
+    if not any(TIMES in name for name in columns):
+        return data[:, 0], columns
+    try:
+        return data[:, 0], _tabulated(columns)
+    except (KeyError, ValueError) as error:
+        raise ValueError(f"{path}: floors at several intensities: {error}") from None
+
+
+def _tabulated(columns):
+    """`TabulatedFloors` of the columns of a file."""
+    lowest = {name: values for name, values in columns.items() if TIMES not in name}
+    sizes = dict.fromkeys(name.partition(TIMES)[2] for name in columns if TIMES in name)
+    levels = [lowest]
+    for size in sizes:
+        scaled = {name: float(size) * lowest[name] for name in (GROUND, VERTICAL) if name in lowest}
+        floors = {name: columns[name + TIMES + size] for name in lowest if name not in scaled}
+        levels.append({name: {**scaled, **floors}[name] for name in lowest})
+    return TabulatedFloors(levels)
+
+
+def write_tabulated(path, time_s, floors, *, digits=9):
+    """Write a file of `yielding.TabulatedFloors`, which `read` gives back."""
+    columns = dict(floors)
+    for size, level in zip(floors.sizes[1:], floors.levels[1:], strict=True):
+        own = {name: level[name] for name in floors if name not in (GROUND, VERTICAL)}
+        columns |= {f"{name}{TIMES}{size:.12g}": values for name, values in own.items()}
+    write_columns(path, time_s, columns, digits=digits)
 
 
 def write_columns(path, time_s, columns, *, digits=9):

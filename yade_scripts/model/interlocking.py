@@ -48,7 +48,7 @@ from yade_scripts.model.facades import Facade
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.panels import Hanging
 from yade_scripts.model.quadrature import GAUSS
-from yade_scripts.model.scene import NO_DRAG, Block, NodeList, Scene, box_inertia, held
+from yade_scripts.model.scene import NO_DRAG, Block, Interface, NodeList, Scene, box_inertia, held
 from yade_scripts.model.split_bricks import DOWN, ONTO_BRICK, UP
 from yade_scripts.model.wall_motion import motion_of
 
@@ -123,10 +123,10 @@ class _Assembly:
         self.blocks, self.nodes, self.rims, self.motions = [], NodeList(NO_DRAG), {}, {}
         self.beds, self.bricks, self.headers, self.partial = [], [], [], []
         self.hanging: Hanging | None = None
-        self.brick = dict(
+        self.brick = Interface(
             jkn_pa_m=w3["jkn_pa_m"], jks_pa_m=w3["jks_pa_m"], beta_s=w3["joint_beta_s"]
         )
-        self.bed = {**self.brick, "friction_rad": math.radians(w3["friction_deg"])}
+        self.bed = replace(self.brick, friction_rad=math.radians(w3["friction_deg"]))
 
     def scene(self):
         """Assemble everything."""
@@ -172,7 +172,7 @@ class _Assembly:
         rear = front = self._brick(wall, 1, x)
         area = self.t * self.length / 3.0
         foot = [(x, y, 0.0) for y in (0.0, -0.5 * self.length, -self.length)]
-        self.nodes.add_joint(f"{wall} foot", rear, 0, foot, UP, [area] * 3, **self.bed)
+        self.nodes.add_joint(f"{wall} foot", rear, 0, foot, UP, [area] * 3, self.bed)
         self._back(wall, 1, front, x)
         for course in range(2, self.courses + 1, 2):
             header = self._header(wall, course, x)
@@ -189,9 +189,15 @@ class _Assembly:
             length = self.length - self.v
             place = [(x, y, course * self.course) for y in (-self.v, -self.length)]
             name = f"{wall} half brick {course}"
-            half = {key: 0.5 * self.bed[key] for key in ("jkn_pa_m", "jks_pa_m")}
+            half = {key: 0.5 * getattr(self.bed, key) for key in ("jkn_pa_m", "jks_pa_m")}
             self.nodes.add_joint(
-                name, below, rear, place, DOWN, 0.5 * self.t * length, **(self.bed | half)
+                name,
+                below,
+                rear,
+                place,
+                DOWN,
+                0.5 * self.t * length,
+                replace(self.bed, **half),
             )
             self.rims[name] = ONTO_BRICK
             self._back(wall, course + 1, front, x)
@@ -286,8 +292,7 @@ class _Assembly:
             places,
             (0.0, -math.cos(slope), -math.sin(slope)),
             area / len(places),
-            **self.brick,
-            **bond,
+            replace(self.brick, **bond),
         )
         return header
 
@@ -298,9 +303,9 @@ class _Assembly:
         onto, under = (UP, DOWN) if header_above else (DOWN, UP)
         # header's rear edge on the brick's face; brick's front edge on the header's face
         edge, front = f"{name} rear edge", f"{name} front edge"
-        self.nodes.add_joint(edge, header, brick, [(x, -self.v, z)], onto, area, **self.bed)
+        self.nodes.add_joint(edge, header, brick, [(x, -self.v, z)], onto, area, self.bed)
         self.rims[edge] = ONTO_BRICK
-        self.nodes.add_joint(front, brick, header, [(x, 0.0, z)], under, area, **self.bed)
+        self.nodes.add_joint(front, brick, header, [(x, 0.0, z)], under, area, self.bed)
         self.rims[front] = ((0.0, -1.0, 0.0), self.v)
         self.beds.append(name)
 
@@ -315,8 +320,10 @@ class _Assembly:
             place,
             BACK,
             0.5 * self.t * self.course,
-            self.w3["jkn_pa_m"],
-            self.w3["jks_pa_m"],
-            beta_s=self.beta,
-            friction_rad=math.radians(self.config["return_wall"]["friction_deg"]),
+            Interface(
+                self.w3["jkn_pa_m"],
+                self.w3["jks_pa_m"],
+                beta_s=self.beta,
+                friction_rad=math.radians(self.config["return_wall"]["friction_deg"]),
+            ),
         )

@@ -16,7 +16,7 @@ from dataclasses import replace
 
 from yade_scripts.model.base import base_jkn
 from yade_scripts.model.chain import chain_links
-from yade_scripts.model.scene import Block, box_inertia, held
+from yade_scripts.model.scene import Block, Interface, box_inertia, held
 from yade_scripts.model.wall_motion import storey_of, weight_of
 
 OUT = (0.0, -1.0, 0.0)
@@ -49,7 +49,9 @@ def base_block(config, ground):
 def _join(nodes, name, a, b, place_m, k_n_m):
     """Join two blocks along y at one point, in tension and compression, without shear."""
     strong = held(1e30, 0.0, 0.0)
-    nodes.add_joint(name, a, b, [place_m], OUT, 1.0, k_n_m, k_n_m, beta_s=TIE_BETA_S, **strong)
+    nodes.add_joint(
+        name, a, b, [place_m], OUT, 1.0, Interface(k_n_m, k_n_m, beta_s=TIE_BETA_S, **strong)
+    )
 
 
 def hang_base(config, blocks, nodes, base, masses):

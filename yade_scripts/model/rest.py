@@ -65,7 +65,7 @@ def at_rest(facade, shape, kn_n_m, points, release_ratio, walls_stand):
     it.
     """
     b = facade.thickness_m
-    weight, lever = leaning(facade, shape)
+    weight, lever = leaning(facade.floors, facade.thrusts, shape)
     angle = release_ratio * math.atan2(*shape.lever_m)
     if not (release_ratio or shape.hinges_m):
         angle = lean(weight, lever, kn_n_m, points, b, walls_stand)

@@ -14,7 +14,7 @@ from yade_scripts.model.chain import chain_links
 from yade_scripts.model.facades import Facade
 from yade_scripts.model.panels import Hanging, building_mass, mass_heights
 from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
-from yade_scripts.model.scene import Block, held
+from yade_scripts.model.scene import Block, Interface, held
 from yade_scripts.model.wall_motion import PARTS, motion_of
 
 WALL = "return wall"
@@ -78,7 +78,7 @@ def _contact(parts, tall_m, total_m, nodes_up, planar, slope=0.0):
     those up a block whose contact is in one part, and up one that is cut into several. Each row is
     (middle_m, positions_m, areas_m2).
     """
-    found, (whole, cut) = [], nodes_up
+    contacts, (whole, cut) = [], nodes_up
     for foot, length, y, lost, strips in parts:
         count = whole if len(parts) == 1 else max(3, 1 + math.ceil((cut - 1) * length / tall_m))
         points, weights = gauss_lobatto(count)
@@ -89,31 +89,28 @@ def _contact(parts, tall_m, total_m, nodes_up, planar, slope=0.0):
             length = length * math.hypot(1.0, slope)
         columns = MIDDLE if planar else _middles(strips)
         places, areas = over_columns(line, weights * length * (total_m - lost), columns)
-        found.append((middle, places, areas))
-    return found
+        contacts.append((middle, places, areas))
+    return contacts
 
 
-def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape, stands):
+def add_return_walls(beds, kind, blocks, motions, shape, stands):
     """Append return walls and their joints with the façade, and the chain that carries them.
 
-    Block 0 is the base, those after it are the façade's, as `shape` numbers its pieces. To
-    `motions` the weights of mixed motions are added by name; without `stands` the chain alone is
-    appended.
+    Block 0 is the base, those after it are the façade's, as `shape` numbers its pieces; `beds` are
+    `facade.Beds`. To `motions` the weights of mixed motions are added by name; without `stands` the
+    chain alone is appended.
 
     Returned are indices of the walls' blocks, links between the masses, and indices of the masses
     from the lowest up; the last two empty where the chain is no part of the scene.
     """
-    facade, wall = config["facade"], config["return_wall"]
-    h, raised, whole = facade.height_m, facade.base_height_m, facade.building_top_m
+    config, facade, wall = beds.config, beds.facade, beds.config["return_wall"]
+    whole = facade.building_top_m
     total = wall["count"] * wall["thickness_m"]
     masses = config["smdof"]["n_dof"] if kind.chain else 1
-    parts = PARTS if kind.chain and wall["motion"] == "interpolated" else 1
+    parts = _parts(kind, wall)
     count = masses * parts
-    cut = config["numerics"][kind.nodes_up]
-    nodes_up = 1 + math.ceil((cut - 1) / parts), cut
     apart = kind.two_way and wall["motion"] != "top"  # else each block is a mass of the chain
-    hanging = Hanging(config, blocks, nodes, wall["count"], PIECE_M) if apart else None
-    jkn, strips = back_jkn(config), wall_strips(facade.width_m, wall)
+    hanging = Hanging(config, blocks, beds.nodes, wall["count"], PIECE_M) if apart else None
     mass = 1.0
     if hanging:
         mass = facade.density_kg_m3 * total * PIECE_M * whole / count
@@ -124,13 +121,14 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
         middle = low + 0.5 * tall
         motion = None if kind.two_way else blocks[0].motion
         if kind.chain and not kind.two_way:
+            raised = facade.base_height_m
             motion = motion_of(wall["motion"], raised + middle, whole, masses, motions)
-        own = walls[number] = len(blocks)
+        block = walls[number] = len(blocks)
         blocks.append(
             Block(
                 f"{WALL} {number}",
-                (0.0, -0.5 * h - facade.gap_m, middle),
-                (total, h, tall),
+                (0.0, -0.5 * facade.height_m - facade.gap_m, middle),
+                (total, facade.height_m, tall),
                 mass * (tall / (whole / count) if hanging else 1.0),
                 (1.0, 1.0, 1.0),
                 free="y" if kind.two_way else "",
@@ -138,29 +136,41 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
             )
         )
         if hanging:
-            hanging.hang(own, 0.0)
-        cut_up = shape.back_parts(low, tall, strips)
-        contact = _contact(cut_up, tall, total, nodes_up, planar, shape.slope)
-        for part, (at_m, places, areas) in enumerate(contact, 1):
-            nodes.add_joint(
-                blocks[own].name if len(contact) == 1 else f"{blocks[own].name} part {part}",
-                1 + shape.piece_at(at_m),
-                own,
-                places,
-                (0, 1, shape.slope),
-                areas,
-                jkn,
-                facade.shear_stiffness_ratio * jkn,
-                beta_s=beta_s,
-                gap_m=facade.gap_m,
-                **back_strength(wall, kind.bonded),
-            )
+            hanging.hang(block, 0.0)
+        _join(beds, kind, block, blocks[block].name, shape, low, tall)
     behind = list(walls.values())
     if hanging:
         return behind, hanging.finish(behind), hanging.masses
     if not kind.two_way:
         return behind, [], []
     return behind, *_chain_of(walls, config, blocks, mass, (total, PIECE_M, 0.1))
+
+
+def _parts(kind, wall):
+    """Blocks behind the façade for each mass of the chain."""
+    return PARTS if kind.chain and wall["motion"] == "interpolated" else 1
+
+
+def _join(beds, kind, block, name, shape, low_m, tall_m):
+    """Add the joints of a return wall's block, a span up the façade's height, with it."""
+    config, facade, wall = beds.config, beds.facade, beds.config["return_wall"]
+    cut = config["numerics"][kind.nodes_up]
+    nodes_up = 1 + math.ceil((cut - 1) / _parts(kind, wall)), cut
+    strips = wall_strips(facade.width_m, wall)
+    total, jkn = wall["count"] * wall["thickness_m"], back_jkn(config)
+    interface = Interface(
+        jkn,
+        facade.shear_stiffness_ratio * jkn,
+        beta_s=beds.beta_s,
+        gap_m=facade.gap_m,
+        **back_strength(wall, kind.bonded),
+    )
+    cut_up = shape.back_parts(low_m, tall_m, strips)
+    contact = _contact(cut_up, tall_m, total, nodes_up, beds.planar, shape.slope)
+    for part, (at_m, places, areas) in enumerate(contact, 1):
+        joint = name if len(contact) == 1 else f"{name} part {part}"
+        piece = 1 + shape.piece_at(at_m)
+        beds.nodes.add_joint(joint, piece, block, places, (0, 1, shape.slope), areas, interface)
 
 
 def _chain_of(walls, config, blocks, mass_kg, size_m):

@@ -204,6 +204,33 @@ def held(tension_pa, cohesion_pa, friction_rad):
     }
 
 
+@dataclass(frozen=True)
+class Interface:
+    """What the two sides of a joint do to each other, per area.
+
+    Stiffness [Pa/m] normal to it and along it, one value or one a node; β, the
+    stiffness-proportional damping [s]; friction [rad] and gap [m], one value or one a node; kind
+    and strengths [Pa] as of `held`.
+    """
+
+    jkn_pa_m: Any
+    jks_pa_m: Any
+    beta_s: float = 0.0
+    friction_rad: Any = 0.0
+    gap_m: Any = 0.0
+    kind: int = DRY
+    tension_pa: float = 0.0
+    cohesion_pa: float = 0.0
+
+    def fault(self):
+        """What is wrong with it beside its stiffness, in words; "" where nothing is."""
+        if self.kind == DRY and (self.tension_pa or self.cohesion_pa):
+            return "a dry joint has no strength"
+        if self.beta_s < 0.0:
+            return f"β must not be negative, got {self.beta_s} s"
+        return ""
+
+
 NO_DRAG = 0.0  # no dashpots along dry joints: YADE's law would not bound them by friction
 INTEGERS, VECTORS = ("a", "b", "joint", "kind"), ("position_m", "normal")  # columns of nodes
 
@@ -217,48 +244,31 @@ class NodeList:
         none = {own.name: np.empty((0, 3) if own.name in VECTORS else 0) for own in fields(Nodes)}
         self._rows = {k: [v] for k, v in (vars(scene.nodes) if scene else none).items()}
 
-    def add_joint(
-        self,
-        name,
-        a,
-        b,
-        positions_m,
-        normal,
-        areas_m2,
-        jkn_pa_m,
-        jks_pa_m,
-        *,
-        beta_s=0.0,
-        friction_rad=0.0,
-        gap_m=0.0,
-        kind=DRY,
-        tension_pa=0.0,
-        cohesion_pa=0.0,
-    ):
+    def add_joint(self, name, a, b, positions_m, normal, areas_m2, interface):
         """Add the nodes of one joint, carried by block `a` against block `b` (their indices).
 
-        Positions are (n, 3), the normal from b into a is normalised here. Areas are tributary, and
-        stiffness [Pa/m] and strengths (see `held`) are per area. Areas, friction and gap are one
-        value, or one a node; β is the stiffness-proportional damping.
+        Positions are (n, 3), the normal from b into a is normalised here. Areas are tributary, one
+        value or one a node; the `Interface` is per area.
 
         Raises
         ------
         ValueError
-            If a value is not finite, an area or stiffness is not positive, or a dry joint has
-            a strength.
+            If a position is not finite, or an area or stiffness is not positive.
         """
         positions = np.atleast_2d(np.asarray(positions_m, float))
         count = len(positions)
         areas = np.broadcast_to(np.asarray(areas_m2, float), (count,))
-        for label, value in (("area", areas), ("jkn", jkn_pa_m), ("jks", jks_pa_m)):
+        for label, value in (
+            ("area", areas),
+            ("jkn", interface.jkn_pa_m),
+            ("jks", interface.jks_pa_m),
+        ):
             if not (np.all(np.isfinite(value)) and np.all(np.asarray(value) > 0.0)):
                 raise ValueError(f"joint '{name}': {label} must be positive and finite")
         if not np.all(np.isfinite(positions)):
             raise ValueError(f"joint '{name}': node positions must be finite")
-        if kind == DRY and (tension_pa or cohesion_pa):
-            raise ValueError(f"joint '{name}': a dry joint has no strength")
-        if beta_s < 0.0:
-            raise ValueError(f"joint '{name}': β must not be negative, got {beta_s} s")
+        if fault := interface.fault():
+            raise ValueError(f"joint '{name}': {fault}")
         self.joints.append(name)
         columns = {
             "a": a,
@@ -267,15 +277,15 @@ class NodeList:
             "position_m": positions,
             "normal": np.asarray(normal, float) / np.linalg.norm(normal),
             "area_m2": areas,
-            "kn_n_m": jkn_pa_m * areas,
-            "ks_n_m": jks_pa_m * areas,
-            "beta_s": beta_s,
+            "kn_n_m": interface.jkn_pa_m * areas,
+            "ks_n_m": interface.jks_pa_m * areas,
+            "beta_s": interface.beta_s,
             "drag": self.drag,
-            "friction_rad": friction_rad,
-            "gap_m": gap_m,
-            "tension_n": tension_pa * areas,
-            "cohesion_n": cohesion_pa * areas,
-            "kind": kind,
+            "friction_rad": interface.friction_rad,
+            "gap_m": interface.gap_m,
+            "tension_n": interface.tension_pa * areas,
+            "cohesion_n": interface.cohesion_pa * areas,
+            "kind": interface.kind,
         }
         for key, value in columns.items():
             shape = (count, 3) if key in VECTORS else (count,)

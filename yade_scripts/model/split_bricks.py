@@ -15,6 +15,7 @@ carries tension and cohesion until it breaks, then friction; what rises at the f
 """
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -97,7 +98,7 @@ def add_bed(assembly, name, lower, rear, front, header, x):
         rows.append(("rear edge", header, front, -v, DOWN, -low, ONTO_BRICK))
     for edge, a, b, y, normal, length, rim in rows:
         area = 0.5 * assembly.t * length
-        assembly.nodes.add_joint(f"{name} {edge}", a, b, [(x, y, z)], normal, area, **assembly.bed)
+        assembly.nodes.add_joint(f"{name} {edge}", a, b, [(x, y, z)], normal, area, assembly.bed)
         assembly.rims[f"{name} {edge}"] = rim
     assembly.beds.append(name)
 
@@ -127,6 +128,5 @@ def _plane(assembly, name, x, rear, front, low, high):
         places,
         (0.0, -math.cos(s), -math.sin(s)),
         0.5 * assembly.t * float(np.hypot(*along)),
-        **assembly.brick,
-        **assembly.bond("lower"),
+        replace(assembly.brick, **assembly.bond("lower")),
     )

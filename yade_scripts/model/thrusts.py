@@ -19,12 +19,12 @@ ENDS = 2.0  # of the prestretch: never reached, neither by force nor by lengthen
 
 def thrust_ties(rows, walls, blocks, shape):
     """Ties that stand for thrusts, `Facade.thrusts`; arguments as of `ties.facade_ties`."""
-    found = []
+    ties = []
     for number, row in enumerate(rows, 1):
         force, z = row.force_n, row.height_m
         carrier = wall_behind(f"thrusts[{number}].height_m", z, walls, blocks)
         y = 0.5 * sum(shape.faces_at(z))
-        found.append(
+        ties.append(
             Tie(
                 f"thrust {number}",
                 1 + shape.piece_at(z),
@@ -37,14 +37,14 @@ def thrust_ties(rows, walls, blocks, shape):
                 ENDS * PRESTRETCH_M,
             )
         )
-    return found
+    return ties
 
 
-def leaning(facade, shape):
+def leaning(floors, thrusts, shape):
     """Weight with loads [N], and the lever at which it would do what thrusts do with it at rest.
 
     As `floors.loaded`, with the arm less Σ F z/W.
     """
-    weight, (arm, height) = loaded(facade.floors, shape)
-    moment = sum(row.force_n * row.height_m for row in facade.thrusts)
+    weight, (arm, height) = loaded(floors, shape)
+    moment = sum(row.force_n * row.height_m for row in thrusts)
     return weight, (arm - moment / weight, height)

@@ -223,9 +223,12 @@ def content(columns, names):
 def of_case(case, time_s, columns, march=storeys.march):
     """Columns that shake a case: `YieldingFloors` where its chain yields and drives its walls.
 
-    Where its walls carry the masses of the chain these yield in the scene.
+    Where its walls carry the masses of the chain these yield in the scene. Of floors of another
+    program walls that are no floors need the ground alone, at any amplitude.
     """
     kind = MODELS.get(case["model"])  # a whole building has its own
+    if isinstance(columns, TabulatedFloors) and kind is not None and not kind.chain:
+        return {name: columns[name] for name in (GROUND, VERTICAL) if name in columns}
     if kind is None or not kind.chain or kind.two_way or not storeys.yields(case["smdof"]):
         return columns
     if isinstance(columns, ByAmplitude):

@@ -18,12 +18,13 @@ sys.path[:0] = [str(ROOT), str(ROOT / "workflow")]
 
 from rocking.collapse.scan import Screen  # noqa: E402
 from rocking.configuration import config  # noqa: E402
+from rocking.configuration.study import as_in_the_study  # noqa: E402
 from rocking.fidelity import choose, read_fidelity  # noqa: E402
 from rocking.records import load, read_table  # noqa: E402
-from rocking.reference import Motion, simulate_batch  # noqa: E402
+from rocking.reference import SupportTable, simulate_batch  # noqa: E402
 from rocking.reference.facade import wall_of  # noqa: E402
 
-from smdof import floor_motions  # noqa: E402
+from smdof import floor_motions, shear_chain  # noqa: E402
 from yade_scripts.model.motion import amplitude  # noqa: E402
 
 SUITE = ROOT / "config" / "suites" / "recorded_suite.tsv"
@@ -33,7 +34,7 @@ def solve(job, motion, direction, pga_g, adaptive_nodes):
     """Histories that overturned, and the simulated time where the solver tells it [s]."""
     if adaptive_nodes:
         floors = motion.floors_m_s2 if job["model"] == "W2" else None
-        driven = Motion(float(motion.time_s[1]), motion.ground_m_s2, floors)
+        driven = SupportTable(float(motion.time_s[1]), motion.ground_m_s2, floors)
         scales = [amplitude(motion.ground_m_s2, direction, g) for g in pga_g]
         found = simulate_batch(wall_of(job, adaptive_nodes), driven, scales, stop_d_over_b=1.0)
         return found.overturned.sum(), found.end_time_s.sum()
@@ -56,7 +57,9 @@ def main(arguments=None):
     args = parser.parse_args(arguments)
     mass = {"building_mass_kg": 1e3 * args.building}
     facade = {"courses": args.courses, "courses_growth": 1.5} if args.courses else {}
-    job = config.resolve({"models": [args.model], "return_wall": mass, "facade": facade})
+    job = config.resolve(
+        as_in_the_study({"models": [args.model], "return_wall": mass, "facade": facade})
+    )
     job |= {"model": args.model, "beta_s": job["damping"]["beta_s"]}
     job["numerics"], _ = choose(job, args.model, read_fidelity(ROOT / "config" / "fidelity.yaml"))
     names, chain = list(read_table(SUITE)), job["smdof"]
@@ -66,7 +69,7 @@ def main(arguments=None):
     for name in names:
         record = load(name, SUITE)
         motion = floor_motions(
-            record.acceleration_m_s2, record.dt_s, chain["n_dof"], chain["period_s"]
+            record.acceleration_m_s2, record.dt_s, shear_chain(chain["n_dof"], chain["period_s"])
         )
         for direction in ("pos", "neg"):
             if not count:  # compiles

@@ -19,6 +19,7 @@ ROOT = Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(ROOT), str(ROOT / "workflow")]
 
 from rocking.configuration import config  # noqa: E402
+from rocking.configuration.study import as_in_the_study  # noqa: E402
 from rocking.fidelity import choose, read_fidelity  # noqa: E402
 
 PYTHON = os.environ.get("YADE_PYTHON", "/usr/bin/python3")
@@ -71,7 +72,10 @@ def main():
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--against", type=Path, help="another checkout, measured in turn")
     args = parser.parse_args()
-    resolved, measured = config.resolve({}), read_fidelity(ROOT / "config" / "fidelity.yaml")
+    resolved, measured = (
+        config.resolve(as_in_the_study({})),
+        read_fidelity(ROOT / "config" / "fidelity.yaml"),
+    )
     roots = [ROOT] + ([args.against.resolve()] if args.against else [])
     found: dict = {}
     for _ in range(args.rounds):

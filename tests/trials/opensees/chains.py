@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 from rocking import Case, Motion
+from rocking.configuration.study import as_in_the_study
 from rocking.solver.storeys import march
 
 from yade_scripts.model.chain import chain_matrices
@@ -56,7 +57,7 @@ def main():
     rows = []
     for times in TIMES:
         keys = {"smdof.base_shear_ratio": 0.25, "smdof.loops": "bilinear"}
-        case = Case.configured("W2", keys)
+        case = Case.configured("W2", as_in_the_study(keys))
         for name in args.records:
             time_s, columns = Motion.named(name, SUITE).columns(case)
             chain = chain_of(case, time_s[1] - time_s[0])

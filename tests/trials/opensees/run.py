@@ -26,6 +26,7 @@ import numpy as np
 import pandas as pd
 from rocking import Case, Motion
 from rocking.collapse.curve import run_by
+from rocking.configuration.study import as_in_the_study
 from rocking.reference.stack import StackSolver
 from rocking.solver import peaks
 from rocking.tables import write_table
@@ -53,7 +54,7 @@ def case_of(model, courses):
     changes = {f"numerics.{key}": NODES for key in keys}
     if courses:
         changes |= {"facade.courses": courses, "facade.courses_growth": 1.5}
-    return Case.configured(model, changes | {"return_wall.building_mass_kg": 64e3})
+    return Case.configured(model, as_in_the_study(changes | {"return_wall.building_mass_kg": 64e3}))
 
 
 def motion_of_suite():

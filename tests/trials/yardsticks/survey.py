@@ -33,6 +33,7 @@ from rocking import Case, Motion
 from rocking.collapse import search
 from rocking.collapse.curve import run_by
 from rocking.configuration.schema import ConfigError
+from rocking.configuration.study import as_in_the_study
 from rocking.reference.stack import StackSolver
 from rocking.solver import peaks
 from rocking.tables import write_table
@@ -74,7 +75,9 @@ def drawn(draw, model, number):
     """Case of courses: every third the study's façade, else one that the configuration allows."""
     fixed = {"facade.courses": 4, "facade.courses_growth": 1.5}
     if number % 3 == 0:
-        return Case.configured(model, fixed | {"return_wall.building_mass_kg": 64e3})
+        return Case.configured(
+            model, as_in_the_study(fixed | {"return_wall.building_mass_kg": 64e3})
+        )
     while True:
         height = float(draw.uniform(3.5, 9.0))
         friction = float(draw.uniform(20.0, 40.0))
@@ -89,7 +92,9 @@ def drawn(draw, model, number):
             "damping.law": "eq5",
         }
         try:
-            return Case.configured(model, fixed | {k: _short(v) for k, v in facade.items()})
+            return Case.configured(
+                model, as_in_the_study(fixed | {k: _short(v) for k, v in facade.items()})
+            )
         except (ConfigError, ValueError):  # outside the law's range, or too slender to stand
             continue
 

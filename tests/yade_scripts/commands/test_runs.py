@@ -4,14 +4,14 @@ import csv
 import json
 
 import pytest
-from rocking import Case
+from study_cases import study_case
 from yade_process import run_study
 
 
 @pytest.mark.yade
 def test_realisations_of_a_list_are_those_of_the_case(tmp_path):
     """A façade of one metre under a long pulse of 2 g falls in every realisation; columns ahead."""
-    case = Case.configured("W1", {"facade.height_m": 1.0, "facade.thickness_m": 0.1})
+    case = study_case("W1", {"facade.height_m": 1.0, "facade.thickness_m": 0.1})
     case = case.varied({"ensemble.realisations": 3})
     (tmp_path / "W1.json").write_text(case.to_json())
     (tmp_path / "motion.csv").write_text("time_s,ground_m_s2\n0,0\n0.25,-1\n0.5,0\n0.6,0\n")

@@ -51,7 +51,7 @@ def test_the_same_shaking_below_the_critical_step_is_no_failure():
 def test_energy_balances_in_sound_runs_that_rock_and_overturn(model, peak_g):
     time_s = np.arange(0.0, 6.0, 0.005)
     pulse = np.sin(2 * np.pi * time_s / 0.7) * (time_s < 2.1)
-    motion = floor_motions(pulse, 0.005, 4, 0.27, 0.05, "modal", tail_s=0.0)
+    motion = floor_motions(pulse, 0.005)
     columns = {f"floor{j + 1}": row.tolist() for j, row in enumerate(motion.floors_m_s2)}
     record = {
         "time_s": motion.time_s.tolist(),

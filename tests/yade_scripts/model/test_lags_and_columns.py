@@ -4,8 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from rocking import Case
-from rocking.configuration import config
+from study_cases import study_case, study_settings
 
 from yade_scripts.model import facade, models, stiffness
 from yade_scripts.model.gravity import GRAVITY_M_S2
@@ -18,13 +17,13 @@ PLAIN = {"height_m": 6.0, "thickness_m": 0.5, "width_m": 4.0, "density_kg_m3": 1
 def test_a_link_is_softened_by_what_its_lagged_dashpot_adds(dt_s):
     """Of one mass on a spring: 1/(1 + Δt c/2m)."""
     floor = {"height_m": 3.0, "load_kn": 10.0, "mass_t": 8.0, "period_s": 0.4, "friction": 0.3}
-    scene = models.build_scene(Case.configured("W1", {"facade.floors": [floor]}).sections)
+    scene = models.build_scene(study_case("W1", {"facade.floors": [floor]}).sections)
     (link,) = scene.links
     mass = next(b.mass_kg for b in scene.blocks if b.name == link.name)
     assert mass == 8000.0
     expected = 1.0 / (1.0 + 0.5 * dt_s * link.dashpot_ns_m / mass)
     assert stiffness.link_factor(scene, dt_s) == pytest.approx(expected, rel=1e-9)
-    bare = models.build_scene(Case.configured("W1").sections)
+    bare = models.build_scene(study_case("W1").sections)
     assert stiffness.link_factor(bare, dt_s) == 1.0
 
 
@@ -46,7 +45,7 @@ def test_piers_of_a_base_stand_between_its_doors_and_not_below_windows():
         {"x_m": -1.0, "z_m": 0.0, "width_m": 1.0, "height_m": 2.0},
         {"x_m": 1.0, "z_m": 1.0, "width_m": 1.0, "height_m": 1.0},
     ]
-    section = config.resolve({"facade": {**PLAIN, "openings": rows}})["facade"]
+    section = study_settings({"facade": {**PLAIN, "openings": rows}})["facade"]
     shape = shape_of(section)
     assert np.array(shape.base_strips) == pytest.approx(np.array([(-2.0, -1.5), (-0.5, 2.0)]))
     assert shape.base_lost_m == pytest.approx(1.0)
@@ -58,7 +57,7 @@ H = 6.48  # of whole courses
 def case(model):
     wall = {"thickness_m": 0.3, "count": 2, "tension_mpa": 0.05}
     given = {"facade": {**PLAIN, "height_m": H}, "return_wall": wall, "models": [model]}
-    return {**config.resolve(given), "model": model}
+    return {**study_settings(given), "model": model}
 
 
 def test_static_multipliers_of_free_bonded_and_brick_facades():

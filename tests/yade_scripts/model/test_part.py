@@ -1,8 +1,7 @@
 """A part of a façade as a façade of its own: what it weighs, where it stands, what holds it."""
 
 import pytest
-from rocking import Case
-from rocking.configuration import config
+from study_cases import study_case, study_settings
 
 from yade_scripts.model.part import part_of
 from yade_scripts.model.shape import shape_of
@@ -24,7 +23,7 @@ FACADE = {
 
 @pytest.fixture(scope="module")
 def resolved():
-    return config.resolve({"facade": FACADE})
+    return study_settings({"facade": FACADE})
 
 
 def test_holds_loads_and_openings_count_from_the_foot(resolved):
@@ -44,20 +43,20 @@ def test_a_gable_and_a_parapet_rock_alone(resolved):
     assert (gable["outline"], gable["sides"], gable["height_m"]) == ("triangle", "two", 2.0)
     assert shape_of(gable).static_multiplier == pytest.approx(0.2 / (2.0 / 3.0))
     given = {**FACADE, "gable_height_m": 0.0, "parapet_height_m": 1.2, "parapet_thickness_m": 0.25}
-    parapet = part_of(config.resolve({"facade": given})["facade"], 8.0)
+    parapet = part_of(study_settings({"facade": given})["facade"], 8.0)
     assert (parapet["outline"], parapet["height_m"], parapet["thickness_m"]) == ("box", 1.2, 0.25)
 
 
 def test_the_whole_facade_is_the_case_itself():
-    case = Case.configured("W2", {"facade": {"height_m": 6.0}})
+    case = study_case("W2", {"facade": {"height_m": 6.0}})
     assert case.part(0.0) is case
-    assert Case.configured("W2", {"facade": {"height_m": 6.0}, "part": {"foot_m": 0.0}}) == case
+    assert study_case("W2", {"facade": {"height_m": 6.0}, "part": {"foot_m": 0.0}}) == case
 
 
 def test_a_part_stated_in_a_configuration_is_that_of_the_case():
     given = {"facade": {"ties": [{"height_m": 3.0}]}}
-    stated = Case.configured("W2", {**given, "part": {"foot_m": 3.0}})
-    assert stated == Case.configured("W2", given).part(3.0)
+    stated = study_case("W2", {**given, "part": {"foot_m": 3.0}})
+    assert stated == study_case("W2", given).part(3.0)
     assert stated["facade"]["base_height_m"] == 3.0
 
 
@@ -72,5 +71,5 @@ def test_a_part_stated_in_a_configuration_is_that_of_the_case():
 )
 def test_parts_that_a_facade_has_not_end_in_one_line(part, words):
     with pytest.raises(ValueError, match=words) as caught:
-        config.resolve({"part": part})
+        study_settings({"part": part})
     assert "\n" not in str(caught.value)

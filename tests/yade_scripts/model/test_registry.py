@@ -7,6 +7,7 @@ import pytest
 from rocking.configuration import config, schema
 from rocking.reference.facade import wall_of
 from rocking.solver import Motions, peaks, to_plane
+from study_cases import study_settings
 from yade_process import resolved
 
 from yade_scripts.model import models, registry
@@ -27,7 +28,7 @@ def test_an_unknown_model_is_refused_with_the_known_ones():
     with pytest.raises(ValueError, match=r"unknown façade model 'W9': expected one of free, W1"):
         registry.model("W9")
     with pytest.raises(config.ConfigError, match="W9"):
-        config.resolve({"models": ["W9"]})
+        study_settings({"models": ["W9"]})
 
 
 @pytest.mark.parametrize("change", [{"walls": "low"}, {"bonded": True}, {"two_way": True}])
@@ -48,7 +49,7 @@ def test_adding_a_model_is_adding_a_row(monkeypatch):
     for cached in (schema.sections, schema.whole):
         cached.cache_clear()
     try:
-        assert config.resolve({"models": ["W9"]})["models"] == ["W9"]
+        assert study_settings({"models": ["W9"]})["models"] == ["W9"]
     finally:
         monkeypatch.undo()
         for cached in (schema.sections, schema.whole):

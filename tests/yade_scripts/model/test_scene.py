@@ -7,7 +7,7 @@ from yade_process import resolved
 from yade_scripts.model import facade, stiffness
 from yade_scripts.model import scene as scenes
 from yade_scripts.model.quadrature import gauss_lobatto
-from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia, held, to_json
+from yade_scripts.model.scene import Block, Interface, NodeList, Scene, box_inertia, held, to_json
 
 
 @pytest.mark.parametrize("count", [2, 3, 4, 5, 9, 17])
@@ -55,7 +55,7 @@ def test_rigid_motion_of_a_free_pair_costs_no_energy():
     ]
     nodes = NodeList()
     corners = [[x, y, 1.0] for x in (-0.5, 0.5) for y in (-0.25, 0.25)]
-    nodes.add_joint("bed", 1, 0, corners, (0, 0, 1), 0.125, 1e9, 4e8)
+    nodes.add_joint("bed", 1, 0, corners, (0, 0, 1), 0.125, Interface(1e9, 4e8))
     scene = Scene(blocks, nodes.joints, nodes.done(), "high", (0, 0, 2.0), "low", 0.5)
     omega, _ = stiffness.modes(scene)
     assert np.sum(omega < 1e-3 * omega[-1]) == 6
@@ -67,7 +67,7 @@ def test_critical_step_of_one_spring():
     block = Block("block", (0, 0, 0.5), (1, 1, 1), mass, box_inertia(mass, (1, 1, 1)), free="z")
     ground = Block("ground", (0, 0, -0.5), (1, 1, 1), 1.0, (1, 1, 1), free="")
     nodes = NodeList()
-    nodes.add_joint("bed", 1, 0, [[0, 0, 0]], (0, 0, 1), 1.0, jkn, jkn, beta_s=beta)
+    nodes.add_joint("bed", 1, 0, [[0, 0, 0]], (0, 0, 1), 1.0, Interface(jkn, jkn, beta_s=beta))
     scene = Scene([ground, block], nodes.joints, nodes.done(), "block", (0, 0, 1), "ground", 1.0)
     omega = np.sqrt(jkn / mass)
     zeta = beta * omega / 2
@@ -76,7 +76,7 @@ def test_critical_step_of_one_spring():
     # the general criterion, used where β differs from node to node, gives the same
     twice = NodeList()
     for share, b in ((0.5, beta), (0.5, beta * (1 + 1e-9))):
-        twice.add_joint("bed", 1, 0, [[0, 0, 0]], (0, 0, 1), share, jkn, jkn, beta_s=b)
+        twice.add_joint("bed", 1, 0, [[0, 0, 0]], (0, 0, 1), share, Interface(jkn, jkn, beta_s=b))
     scene = Scene([ground, block], twice.joints, twice.done(), "block", (0, 0, 1), "ground", 1.0)
     assert stiffness.critical_step(scene) == pytest.approx(expected, rel=1e-6)
 
@@ -119,7 +119,7 @@ def test_bad_scenes_are_refused_by_name():
     with pytest.raises(ValueError, match="release"):
         facade.facade_scene(config, "W1", 0.0, release_ratio=1.0)
     with pytest.raises(ValueError, match="joint 'bed': jkn must be positive"):
-        NodeList().add_joint("bed", 0, 1, [[0, 0, 0]], (0, 0, 1), 1.0, -1.0, 1.0)
+        NodeList().add_joint("bed", 0, 1, [[0, 0, 0]], (0, 0, 1), 1.0, Interface(-1.0, 1.0))
 
 
 def test_equal_scenes_serialise_equally():
@@ -142,7 +142,9 @@ def test_equal_scenes_serialise_equally():
 def test_a_joint_says_what_holds_it(strengths, kind):
     """Dry without strength; smooth where neither cohesion nor friction resists shear."""
     nodes = NodeList()
-    nodes.add_joint("joint", 1, 0, [(0, 0, 0)], (0, 0, 1), [0.5], 1e9, 1e9, **held(*strengths))
+    nodes.add_joint(
+        "joint", 1, 0, [(0, 0, 0)], (0, 0, 1), [0.5], Interface(1e9, 1e9, **held(*strengths))
+    )
     found = nodes.done()
     assert found.kind.tolist() == [kind]
     assert found.tie.tolist() == [kind == scenes.TIE]
@@ -152,4 +154,6 @@ def test_a_joint_says_what_holds_it(strengths, kind):
 
 def test_a_dry_joint_with_a_strength_is_refused():
     with pytest.raises(ValueError, match="joint 'joint': a dry joint has no strength"):
-        NodeList().add_joint("joint", 1, 0, [(0, 0, 0)], (0, 0, 1), [1.0], 1e9, 1e9, tension_pa=1.0)
+        NodeList().add_joint(
+            "joint", 1, 0, [(0, 0, 0)], (0, 0, 1), [1.0], Interface(1e9, 1e9, tension_pa=1.0)
+        )

@@ -9,6 +9,7 @@ from rocking.configuration.config import ConfigError
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import Motions, history
 from scipy.integrate import solve_ivp
+from study_cases import study_settings
 from yade_process import in_yade, resolved
 
 from yade_scripts.model import floor_motions, models
@@ -249,7 +250,6 @@ def test_half_a_cycle_is_that_of_its_outline(name):
 )
 def test_impossible_shapes(facade, models, message):
     """One line with key, value and what was expected."""
-    from rocking.configuration import config
 
     with pytest.raises(ConfigError, match=message):
-        config.resolve({"facade": facade, "models": models})
+        study_settings({"facade": facade, "models": models})

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from rocking.configuration import config
+from study_cases import study_settings
 
 from yade_scripts.model import models, part
 from yade_scripts.model.facades import Facade
@@ -19,7 +19,7 @@ PLAIN = {"height_m": 6.0, "thickness_m": 0.5, "width_m": 4.0, "density_kg_m3": 1
 
 def section(**own):
     models = ["W1"] if own.get("sides") == "two" else ["W1", "W2"]
-    return config.resolve({"facade": {**PLAIN, **own}, "models": models})["facade"]
+    return study_settings({"facade": {**PLAIN, **own}, "models": models})["facade"]
 
 
 @pytest.mark.parametrize(

@@ -3,13 +3,19 @@
 The simplified model of masonry palaces of the Italian guidelines for heritage (Linee Guida 2011,
 DPCM 9 February 2011, §5.4.2, eq. 5.12 to 5.15): of every storey i in one direction
 
-    V_i = μ ξ ζ A_i τ_i / β,   τ_i = τ0 √(1 + σ_i/(1.5 τ0)),   V/W = min V_i / (κ_i W)
+    V_i = μ ξ ζ A_i τ_i / β,   τ_i = (1.5 τ0/b) √(1 + σ_i/(1.5 τ0)),   V/W = min V_i / (κ_i W)
 
 with A_i the area of the walls that resist in the direction (piers, at mid-height of the storey),
 σ_i the mean compression there, κ_i the share of the base shear that the storey carries, Σ_{j ≥ i}
-W_j z_j / Σ_j W_j z_j. τ_i is Turnšek and Čačovič's diagonal cracking. μ is the homogeneity of the
-piers, ξ is 1 where they fail in shear and 0.8 in flexure, ζ is 1 with strong spandrels and 0.8 with
-weak ones, and β ≥ 1 the irregularity of the plan.
+W_j z_j / Σ_j W_j z_j. τ_i is Turnšek and Čačovič's diagonal cracking (1971), whose tensile strength
+is 1.5 τ0: Circolare 7/2019, C8.7.1.16, with b the height of a pier over its length, 1 to 1.5; the
+guidelines take 1.5. μ is the homogeneity of the piers, ξ is 1 where they fail in shear and 0.8 in
+flexure, ζ is 1 with strong spandrels and 0.8 with weak ones, and β ≥ 1 the irregularity of the
+plan.
+
+How it was read: C8.7.1.16 with b in Sulla et al. (2023, Procedia Structural Integrity 44), table
+C8.5.I in two public transcriptions, both at second hand. The guidelines' μ, ξ, ζ, β and κ could not
+be read and stand here from memory: compare them with the text.
 """
 
 import argparse
@@ -22,7 +28,7 @@ from rocking.configuration.files import read_yaml
 from yade_scripts.model.building.plan import plan_from_dict
 
 GRAVITY_M_S2 = 9.80665
-# τ0 [MPa] of the Circolare 7/2019, table C8.5.I, lowest and highest
+# τ0 [MPa] of the Circolare 7/2019, table C8.5.I, lowest and highest (at second hand)
 MASONRY = {
     "irregular stone": (0.018, 0.032),
     "roughly cut stone": (0.035, 0.051),
@@ -34,7 +40,8 @@ MASONRY = {
     "half-solid brick and cement mortar": (0.080, 0.170),
 }
 UNKNOWN = (0.20, 0.10, 0.30)  # where nothing is known: two-storey masonry, middle and ends
-TRANSVERSE = 1.5  # shape of Turnšek and Čačovič's formula, of slender piers; 1.0 of squat ones
+TENSILE = 1.5  # tensile strength over τ0, of diagonal cracking
+SLENDER, SQUAT = 1.5, 1.0  # b of piers at least so many times as high as long, and no higher
 
 
 @dataclass(frozen=True)
@@ -59,7 +66,9 @@ class Storey:
     compression_pa: float
 
 
-def base_shear_ratio(storeys, tau0_pa, *, homogeneity=1.0, piers=1.0, spandrels=1.0, plan=1.0):
+def base_shear_ratio(
+    storeys, tau0_pa, *, homogeneity=1.0, piers=1.0, spandrels=1.0, plan=1.0, shape=SLENDER
+):
     """Base-shear coefficient V/W of a building in one direction, and the storey that decides.
 
     Parameters
@@ -70,6 +79,8 @@ def base_shear_ratio(storeys, tau0_pa, *, homogeneity=1.0, piers=1.0, spandrels=
         Shear strength without compression.
     homogeneity, piers, spandrels, plan : float
         μ, ξ, ζ and β, see above.
+    shape : float
+        b, height of the piers over their length, `SQUAT` to `SLENDER`.
 
     Returns
     -------
@@ -79,8 +90,10 @@ def base_shear_ratio(storeys, tau0_pa, *, homogeneity=1.0, piers=1.0, spandrels=
     Raises
     ------
     ValueError
-        In one line, for values that are not positive.
+        In one line, for values that are not positive, or another shape.
     """
+    if not SQUAT <= shape <= SLENDER:
+        raise ValueError(f"shape = {shape}: expected b from {SQUAT:g} to {SLENDER:g}")
     for name, value in (("tau0_pa", tau0_pa), ("plan", plan)):
         if not value > 0.0:
             raise ValueError(f"{name} = {value}: expected a number above 0")
@@ -90,13 +103,15 @@ def base_shear_ratio(storeys, tau0_pa, *, homogeneity=1.0, piers=1.0, spandrels=
     weight = np.array([one.weight_n for one in storeys])
     moment = weight * np.array([one.height_m for one in storeys])
     above = np.cumsum(moment[::-1])[::-1] / moment.sum()
-    strength = np.array([one.area_m2 * _tau(one.compression_pa, tau0_pa) for one in storeys])
+    strength = np.array([one.area_m2 * tau(one.compression_pa, tau0_pa, shape) for one in storeys])
     found = homogeneity * piers * spandrels * strength / (plan * above * weight.sum())
     return float(found.min()), int(found.argmin()) + 1
 
 
-def _tau(compression_pa, tau0_pa):
-    return tau0_pa * math.sqrt(1.0 + compression_pa / (TRANSVERSE * tau0_pa))
+def tau(compression_pa, tau0_pa, shape=SLENDER):
+    """Mean shear stress at diagonal cracking [Pa], (1.5 τ0/b) √(1 + σ/(1.5 τ0))."""
+    tensile = TENSILE * tau0_pa
+    return tensile / shape * math.sqrt(1.0 + compression_pa / tensile)
 
 
 def with_interval(storeys, tau0_pa, **factors):
@@ -108,7 +123,7 @@ def with_interval(storeys, tau0_pa, **factors):
     tau0_pa : tuple of 2 floats
         Lowest and highest, as `MASONRY` has them in MPa.
     factors
-        μ and β of `base_shear_ratio`.
+        μ, β and b of `base_shear_ratio`.
 
     Returns
     -------
@@ -207,6 +222,9 @@ def main(arguments=None):
     parser.add_argument(
         "--area-share", type=float, default=0.05, help="walls along over floor area"
     )
+    parser.add_argument(
+        "--pier-shape", type=float, default=SLENDER, help="height over length of piers, 1 to 1.5"
+    )
     parser.add_argument("--storeys", type=int, default=2)
     parser.add_argument("--floor-kpa", type=float, default=3.0, help="weight of a floor")
     parser.add_argument("--storey-m", type=float, default=3.0, help="height of a storey")
@@ -217,7 +235,10 @@ def main(arguments=None):
         storeys = storeys_of_plan(plan, 1e3 * args.floor_kpa, axis=args.axis)
     else:
         storeys = storeys_of(args.area_share, args.storeys, 1e3 * args.floor_kpa, args.storey_m)
-    middle, low, high = with_interval(storeys, tau0)
+    try:
+        middle, low, high = with_interval(storeys, tau0, shape=args.pier_shape)
+    except ValueError as error:
+        parser.error(str(error))
     for number, one in enumerate(storeys, 1):
         print(
             f"storey {number}: walls {one.area_m2:.3g} m², weight {1e-3 * one.weight_n:.3g} kN, "

@@ -15,6 +15,7 @@ from yade_scripts.model.chain import yields
 from yade_scripts.model.motion import GROUND, amplitude
 
 DRIFT, FELL = "storey_drift", "building_fell"
+LOWEST_G, RATIO, AT_ONCE = 0.02, 1.02, 32  # amplitudes at which a building alone is tried
 
 
 def with_building(table, case, motion, direction):
@@ -33,17 +34,42 @@ def with_building(table, case, motion, direction):
     """
     if not (case.kind.chain and yields(case["smdof"])):
         return table
-    time_s, columns = motion.columns(case)
-    chain = yielding.YieldingFloors(time_s, columns, case.sections, march)
-    if motion.before(case, direction) is not None:
-        first_s, first = motion.first.columns(case)
-        first = yielding.YieldingFloors(first_s, first, case.sections, march)
-        factor = amplitude(first[GROUND], direction, motion.first_pga_g)
-        chain = chain.following(first.at(factor))
-    factors = amplitude(columns[GROUND], direction, table["pga_g"].to_numpy(float))
+    chain = _alone(case, motion, direction)
+    factors = amplitude(chain[GROUND], direction, table["pga_g"].to_numpy(float))
     drift = chain.drift_ratios(factors) if len(table) else np.zeros(0)
     fell = (drift >= case["smdof"]["fallen_drift_ratio"]).astype(int)
     return table.assign(**{DRIFT: drift, FELL: fell})
+
+
+def falls_at(case, motion, direction, highest_g):
+    """Lowest PGA at which a storey of a building that yields comes to its drift [g], alone.
+
+    Of amplitudes `RATIO` apart, up to the highest; NaN where it stands at all of them, stays
+    elastic, or there is none.
+    """
+    if not (case.kind.chain and yields(case["smdof"])):
+        return np.nan
+    chain, drift = _alone(case, motion, direction), case["smdof"]["fallen_drift_ratio"]
+    levels = np.geomspace(
+        LOWEST_G, highest_g, 2 + int(np.log(highest_g / LOWEST_G) / np.log(RATIO))
+    )
+    for some in np.array_split(levels, 1 + levels.size // AT_ONCE):
+        fell = chain.drift_ratios(amplitude(chain[GROUND], direction, some)) >= drift
+        if fell.any():
+            return float(some[fell.argmax()])
+    return np.nan
+
+
+def _alone(case, motion, direction):
+    """Chain of a case under its motion, without a façade before it, after a first shock if any."""
+    time_s, columns = motion.columns(case)
+    chain = yielding.YieldingFloors(time_s, columns, case.sections, march)
+    if motion.before(case, direction) is None:
+        return chain
+    first_s, first = motion.first.columns(case)
+    first = yielding.YieldingFloors(first_s, first, case.sections, march)
+    factor = amplitude(first[GROUND], direction, motion.first_pga_g)
+    return chain.following(first.at(factor))
 
 
 def building_share(scan, at_g, spread):

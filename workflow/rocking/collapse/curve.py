@@ -213,8 +213,8 @@ def collapse_curves(
             raise ValueError(f"settings: {len(several)} given, expected one, or {len(shaken)}")
     outcomes = [run_by("planar", case, *one, **options) for one in shaken]
     given = [_settings(case, own, search) for own in several]
-    for (motion, _), own in zip(shaken, given, strict=True):
-        within_table(motion, own)
+    for (motion, _), one, own in zip(shaken, outcomes, given, strict=True):
+        within_table(motion, one.columns, own)
     searches = [
         (one, strategy(search, case, one, own)) for one, own in zip(outcomes, given, strict=True)
     ]
@@ -361,7 +361,12 @@ def history(
 
         _shaken(case, motion, direction)
         return yade_history(case, motion, direction, pga_g)
-    (screen,) = run_by(solver, case, motion, direction).routes([pga_g])
+    return _planar_history(run_by(solver, case, motion, direction), pga_g, sample_s)
+
+
+def _planar_history(run, pga_g, sample_s):
+    """One history of a screen of `run_by`, at one intensity."""
+    (screen,) = run.routes([pga_g])
     plane = screen.planes[0]
     (motions,), (factor,) = screen.shaking(pga_g)
     found = runs.history(

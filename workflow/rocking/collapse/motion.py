@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rocking.collapse.others import check_floors, fit
-from rocking.records import Record, RecordError, load, read_record
+from rocking.records import Record, RecordError, load, read_record, read_table
 from rocking.records.floor_file import read_floor_file
 from rocking.records.floor_table import read_floor_table
 from rocking.records.floors import floor_columns
@@ -27,7 +27,7 @@ from yade_scripts.model.storeys import storey_height
 if TYPE_CHECKING:
     from rocking.collapse.case import Case, Variant
 
-TABLE = shipped("config/records.tsv")
+TABLES = ("config/suites/recorded_suite.tsv", "config/records.tsv")  # of what may be named alone
 LEAST = {"vertical": -math.inf, "first_pga_g": 0.0, "pause_s": 0.0}  # numbers of a variant
 PAUSE_S = 10.0  # between two shocks, beyond the free vibration of the first (smdof.tail_s)
 
@@ -123,16 +123,16 @@ class Motion:
         return own
 
     @classmethod
-    def named(cls, name: str, table: str | PathLike = TABLE, **how: Any) -> "Motion":
+    def named(cls, name: str, table: str | PathLike | None = None, **how: Any) -> "Motion":
         """Motion of one row of a records table.
 
         Parameters
         ----------
         name : str
             In the table's column record.
-        table : path
-            The project's four by default, which are surrogates. One of the project's own may be
-            named by its place in the project, wherever that is installed.
+        table : path or None
+            One of the project's own may be named by its place in the project, wherever that is
+            installed. None: the recorded suite, then the study's four, which are surrogates.
         how
             Of `rocking.records.load`: baseline, seed; vertical_motion="on" adds the vertical one.
 
@@ -141,9 +141,13 @@ class Motion:
         RecordError
             In one line that names the table, and row or file.
         """
-        for what, value in (("name", name), ("table", table)):
+        given = (("name", name), *([] if table is None else [("table", table)]))
+        for what, value in given:
             if not isinstance(value, (str, PathLike)):
                 raise TypeError(f"Motion.named: {what} = {value!r}: expected text")
+        if table is None:
+            own = [shipped(path) for path in TABLES]
+            table = next((path for path in own if name in read_table(path)), own[-1])
         return cls(load(name, str(found(table)), **how))
 
     @classmethod
@@ -279,14 +283,18 @@ class Motion:
 
     @classmethod
     def of_workflow(cls, path: str | PathLike, name: str = "") -> "Motion":
-        """Floor motions that the workflow wrote, `smdof/{record}_{n}dof.csv`: of the case's chain.
+        """Floor motions that the workflow wrote, `smdof/{record}_{n}dof.csv`.
+
+        They are of the case's chain, or at several intensities those of another program.
 
         Raises
         ------
         ValueError
             In one line that names the file.
         """
-        return cls(floors=floor_motions.read(path), label=name, file=str(path), of_chain=True)
+        floors = floor_motions.read(path)
+        own = not isinstance(floors[1], yielding.TabulatedFloors)
+        return cls(floors=floors, label=name, file=str(path), of_chain=own)
 
     @property
     def name(self) -> str:

@@ -59,11 +59,15 @@ def fit(motion, case):
         )
 
 
-def within_table(motion, settings):
+def searched(highest):
+    """How high a search may go for its realisations to stay within a highest intensity."""
+    return highest / (1.0 + 2.0 * MARGIN)
+
+
+def within_table(motion, columns, settings):
     """Refuse a search that may go beyond the highest intensity of tabulated floor motions."""
-    _, columns = motion.floors or (None, None)
     if isinstance(columns, yielding.TabulatedFloors) and "pga_g" not in settings:
-        highest = columns.highest_m_s2 / STANDARD_GRAVITY_M_S2 / (1.0 + 2.0 * MARGIN)
+        highest = searched(columns.highest_m_s2 / STANDARD_GRAVITY_M_S2)
         if settings["max_pga_g"] > highest:
             raise ValueError(
                 f"{motion.file or motion.name}: ida.max_pga_g = {settings['max_pga_g']:g}: "

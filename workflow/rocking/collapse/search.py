@@ -9,8 +9,6 @@ for runs of minutes stand). Nothing here knows a façade, a motion or a solver::
     scan       a climb, realisations about every change of outcome, and more below the lowest fall
                until what could hide there would have been found: the dense scan
     crossings  where 10 and 50 % of the realisations first collapse: a short climb for many curves
-    dense      a climb, then equal steps from below its lowest fall to where all fall
-    neighbour  the lowest level that falls, from a guess up or down
 """
 
 import math
@@ -80,11 +78,11 @@ class Seen:
     @property
     def reach(self):
         """Of each what `hidden.reach` says; NaN of what did not stand."""
-        found, stood = np.full(self.pga_g.size, np.nan), np.flatnonzero(self.status == "ok")
+        reached, stood = np.full(self.pga_g.size, np.nan), np.flatnonzero(self.status == "ok")
         stood = stood[np.argsort(self.pga_g[stood], kind="stable")]
         low_g = self.pga_g.min(initial=math.inf)
-        found[stood] = reach(self.pga_g[stood], self.swings[stood], low_g)
-        return found
+        reached[stood] = reach(self.pga_g[stood], self.swings[stood], low_g)
+        return reached
 
     def reaches(self, d_over_b):
         """Mask of the amplitudes that fell or came so far."""
@@ -248,35 +246,6 @@ def below(seen, wanted):
         yield from seen.ask(np.concatenate(realisations), realisations=True)
 
 
-def dense(start_g, settings, block=16):
-    """Ask for a `climb`, then for steps of `fine_step` up to where everything falls.
-
-    The steps begin below the lowest fall of the climb, and end where all that was run within
-    ± `amplitude_spread` of some amplitude fell.
-
-    Parameters
-    ----------
-    start_g, settings, block
-        As of `climb`; settings has fine_step and amplitude_spread too.
-    """
-    seen = yield from climb(start_g, settings, block)
-    if not seen.fell.any():
-        return
-    last, ratio = settings["max_pga_g"], 1.0 + settings["level_ratio"]
-    spread, step = settings["amplitude_spread"], 1.0 + settings["fine_step"]
-    at = seen.pga_g[seen.fell].min() * (1.0 - spread) ** 2 / ratio
-    while at < last:
-        more = at * step ** np.arange(block)
-        yield from seen.ask(more[more <= last], realisations=True)
-        at *= step**block
-        order = np.argsort(seen.pga_g, kind="stable")
-        pga_g = seen.pga_g[order]
-        within = pga_g[pga_g < at * (1.0 - spread)]  # counted in full
-        share, _ = probability(pga_g, seen.fell[order], within, spread)
-        if share.max() == 1.0:
-            break
-
-
 def crossings(start_g, max_pga_g, ratio):
     """Find where 10 and 50 % of the realisations first collapse, for many curves.
 
@@ -301,48 +270,14 @@ def crossings(start_g, max_pga_g, ratio):
         lower = yield from first(below, CHUNK)
         lowest = lower if math.isfinite(lower) else lowest
     fine = 1.0 + 2.0 * SPREAD / MEMBERS
-    low, k, seen, found = lowest / BELOW_FIRST * (1.0 - SPREAD), 0, Seen(), (math.nan,) * 2
+    low, k, seen, crossed = lowest / BELOW_FIRST * (1.0 - SPREAD), 0, Seen(), (math.nan,) * 2
     while low * fine**k <= max_pga_g * (1.0 + SPREAD):
         yield from seen.ask(low * fine ** np.arange(k, k + CHUNK), realisations=True)
         k += CHUNK
         valid = seen.status != "failed"
         pga_g = seen.pga_g[valid]
         share, _ = probability(pga_g, seen.fell[valid], pga_g, SPREAD)
-        found = tuple(first_crossing(pga_g, share, level) for level in LEVELS)
-        if pga_g.size and pga_g[-1] >= found[-1] * (1.0 + SPREAD):
+        crossed = tuple(first_crossing(pga_g, share, level) for level in LEVELS)
+        if pga_g.size and pga_g[-1] >= crossed[-1] * (1.0 + SPREAD):
             break
-    return found
-
-
-def neighbour(level, max_pga_g, guess=0, block=1):
-    """Find the lowest level that falls, from a guess up, or down if that falls.
-
-    Parameters
-    ----------
-    level : callable
-        PGA of level k [g], ascending.
-    max_pga_g : float
-    guess : int
-    block : int
-        Levels asked for at once on the way up.
-
-    Returns
-    -------
-    int or None
-    """
-
-    def falling(levels):
-        status = yield Ask([level(k) for k in levels])
-        return [k for k, outcome in zip(levels, status, strict=True) if outcome == "overturned"]
-
-    k = guess
-    if (yield from falling([k])):
-        while k > 0 and (yield from falling([k - 1])):
-            k -= 1
-        return k
-    while level(k) < max_pga_g:
-        more = [j for j in range(k + 1, k + 1 + block) if level(j - 1) < max_pga_g]
-        if fell := (yield from falling(more)):
-            return fell[0]
-        k = more[-1]
-    return None
+    return crossed

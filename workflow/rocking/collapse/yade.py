@@ -12,7 +12,7 @@ from rocking.collapse.history import History
 from rocking.collapse.scan import one_by_one, seen_together
 from rocking.tables import read_frame
 from yade_scripts.model import models
-from yade_scripts.model.floor_motions import write_columns
+from yade_scripts.model.floor_motions import write_columns, write_tabulated
 from yade_scripts.model.motion import GROUND, amplitude
 from yade_scripts.model.yielding import TabulatedFloors
 
@@ -90,15 +90,11 @@ class YadeRuns:
 
 
 def _written(folder, name, motion, case):
-    """Write what shakes a case into files; what `runs.read_motion` takes for them."""
+    """Write what shakes a case into a file; its name."""
     time_s, columns = motion.columns(case)
-    if not isinstance(columns, TabulatedFloors):
-        write_columns(folder / f"{name}.csv", time_s, columns, digits=WHOLE)
-        return f"{name}.csv"
-    files = [f"{name}{k}.csv" for k, _ in enumerate(columns.levels, 1)]
-    for file, level in zip(files, columns.levels, strict=True):
-        write_columns(folder / file, time_s, level, digits=WHOLE)
-    return files
+    write = write_tabulated if isinstance(columns, TabulatedFloors) else write_columns
+    write(folder / f"{name}.csv", time_s, columns, digits=WHOLE)
+    return f"{name}.csv"
 
 
 def yade_history(case, motion, direction, pga_g):

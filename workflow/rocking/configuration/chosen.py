@@ -8,10 +8,12 @@ from yade_scripts.model.facades import Facade
 from yade_scripts.model.models import static_multiplier
 
 
-def chosen(resolved, fidelity_file, law_file):
+def chosen(resolved, fidelity_file, law_file, stated=()):
     """Lines that say what a run takes where its configuration leaves the choice open.
 
-    They rest on the files of measured convergence and of the fitted law of β.
+    They rest on the files of measured convergence and of the fitted law of β. A warning says what
+    lies outside the range of a law that section damping of `stated`, the user's configuration,
+    names; of the default law the lines alone do.
     """
     base, back = joint_stiffness(resolved)
     facade, wall = Facade.of(resolved["facade"]), resolved["return_wall"]
@@ -22,7 +24,7 @@ def chosen(resolved, fidelity_file, law_file):
     if wall["length_m"] is None:
         lines.append(f"  return_wall.length_m: {0.5 * facade.height_m:.6g} (h/2)")
     beta, outside = beta_and_range(resolved, law_file)
-    if outside:
+    if outside and "law" in (dict(stated).get("damping") or {}):
         terminal.warn([f"{resolved['run']}: {outside}"])
     about = f"law: {resolved['damping']['law']}" + (f"; {outside}" if outside else "")
     lines.append(f"  damping: beta {beta:.6g} s ({about})")

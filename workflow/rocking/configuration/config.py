@@ -16,8 +16,11 @@ from rocking.configuration import schema as config_schema
 from rocking.configuration.differences import by_path
 from rocking.configuration.facade import check_facade
 from rocking.configuration.files import changed, check_files, write_resolved
+from rocking.configuration.layers import laid_over, nest, nested
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show, value_at
+from rocking.configuration.settled import settle, settle_mass
 from rocking.configuration.storeys import check_storeys
+from rocking.configuration.study import as_in_the_study
 from rocking.configuration.units import unusual
 from rocking.configuration.words import listed
 from yade_scripts.model.part import part_of
@@ -28,6 +31,7 @@ __all__ = [
     "changed",
     "check_files",
     "expand_scenarios",
+    "laid_over",
     "nested",
     "relevant",
     "resolve",
@@ -58,10 +62,13 @@ def resolve(config: Mapping) -> dict[str, Any]:
     known = config_schema.whole()
     resolved = config_schema.complete(_rated(values), known)
     refusals.refuse_invalid(resolved, known)
+    stated = {path for path, _ in by_path(values)}
+    settle(resolved, stated)
     try:
         check(resolved)
     except ConfigError as error:  # what follows from a number in another unit is no help alone
         raise ConfigError("; ".join([error.detail, *list(unusual(resolved))[:1]])) from None
+    settle_mass(resolved, stated)
     return resolved
 
 
@@ -71,11 +78,6 @@ def _rated(values: dict) -> dict[str, Any]:
     if not all(isinstance(own, dict) for own in sections) or not sections[0].get("hazard"):
         return values
     return {**values, **{name: {**RATED[name], **values.get(name, {})} for name in RATED}}
-
-
-def nested(given: Mapping) -> dict[str, Any]:
-    """Return values by section from values by section or dotted key."""
-    return _nest(config_schema.plain(given), "configuration")
 
 
 def check(resolved: Mapping) -> None:
@@ -155,11 +157,12 @@ class Settings(str):
 
     @property
     def words(self):
-        """What is set, in words; not what the workflow chooses itself, nor what there is none of.
+        """The values that are set, in words.
 
-        There is none of what an empty list says, or a 0 that is the default: gables, gaps, bonds.
+        Left out are values that the workflow chooses itself, and parts that the façade does not
+        have: an empty list, or a 0 that is the 3DEC study's (gables, gaps, courses).
         """
-        usual = resolve({})
+        usual = resolve(as_in_the_study())
         return listed(
             (key, value)
             for section, values in json.loads(self).items()
@@ -209,7 +212,7 @@ def expanded(config: Mapping) -> dict[str, tuple[dict[str, Any], dict[str, Any]]
     for name, overrides in (named or {"": {}}).items():
         for label, cell in cells.items():
             ending = "-".join(part for part in (name, label) if part)
-            given = _merge(_merge(common, overrides), cell)
+            given = laid_over(laid_over(common, overrides), cell)
             try:
                 one = resolve(given)
                 if ending:
@@ -242,7 +245,7 @@ def _scenarios(given: Any) -> dict[str, dict]:
     for name, overrides in given.items():
         if overrides is not None and not isinstance(overrides, dict):
             raise ConfigError(f"scenarios.{name} = {show(overrides)}: expected keys and values")
-        out[name] = _nest(overrides or {}, f"scenarios.{name}")
+        out[name] = nest(overrides or {}, f"scenarios.{name}")
         for key in ("run", *STUDY_KEYS):
             if key in out[name]:
                 raise ConfigError(f"scenarios.{name}.{key}: a scenario cannot set '{key}'")
@@ -297,7 +300,7 @@ def _grid(given: Any) -> dict[str, dict]:
             raise ConfigError(f"grid.{path} = {show(values)}: expected different values")
         axes.append([(label, path, point) for label, point in zip(labels, points, strict=True)])
     return {
-        "-".join(label for label, *_ in cell): _nest({path: at for _, path, at in cell}, "grid")
+        "-".join(label for label, *_ in cell): nest({path: at for _, path, at in cell}, "grid")
         for cell in itertools.product(*axes)
     }
 
@@ -309,33 +312,3 @@ def _word(value: Any) -> str:
     if isinstance(value, float):
         return format(value, ".10g").replace("+", "")
     return value if isinstance(value, str) else show(value)
-
-
-def _nest(given: dict, where: str) -> dict:
-    """Turn dotted keys into sections."""
-    out: dict[str, Any] = {}
-    for key, value in given.items():
-        head, *rest = key.split(".")
-        for part in reversed(rest):
-            value = {part: value}
-        if head in out and _both(out[head], value):
-            raise ConfigError(f"{where}.{key}: given twice")
-        out[head] = _merge(out[head], value) if head in out else value
-    return out
-
-
-def _both(one: Any, two: Any) -> bool:
-    """Whether some value stands in both of two sections, or what is no section in either."""
-    if not (isinstance(one, dict) and isinstance(two, dict)):
-        return True
-    return any(_both(one[key], two[key]) for key in one.keys() & two.keys())
-
-
-def _merge(given: dict, overrides: dict) -> dict:
-    """Lay overrides over what is given by section; lists and single values are replaced."""
-    out = dict(given)
-    for key, value in overrides.items():
-        old = out.get(key)
-        both = isinstance(old, dict) and isinstance(value, dict)
-        out[key] = _merge(old, value) if both else value  # type: ignore[arg-type]
-    return out

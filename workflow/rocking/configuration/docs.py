@@ -24,7 +24,8 @@ INTRO = """\
 
 <!-- Written by `python -m rocking.configuration.docs` from workflow/schemas/; edit those. -->
 
-`config/config.yaml` holds what differs from the defaults below; an empty one runs the study. A
+`config/config.yaml` holds what differs from the defaults below; an empty one runs what is
+recommended, the elastic wall in courses before a building that yields. A
 misspelt key is refused by name with the nearest right one, a value out of range with its unit. The
 complete configuration of each run, defaults included, is saved beside its results.
 
@@ -34,14 +35,14 @@ On the command line, a section's keys go in braces; what is not named keeps its 
 
 ```sh
 snakemake --cores 2 --config run=tall 'facade={height_m: 7.0}'
-snakemake --cores 2 --config run=two records=RRS228,1ST280 directions=neg models=W1,W2
+snakemake --cores 2 --config run=two records=GMN_NS,IS113_Lo directions=neg models=W1,W2
 ```
 
 `run` names the folder, so the first command fills `results/tall/` and leaves `results/main/` as it
 is. One file can be asked for as well; `--` ends the list that `--config` takes:
 
 ```sh
-snakemake --cores 2 --config run=tall 'facade={height_m: 7.0}' -- results/tall/ida/W1/RRS228_neg.csv
+snakemake --cores 2 --config run=tall 'facade={height_m: 7.0}' -- results/tall/ida/W1/GMN_NS_neg.csv
 ```
 
 For more than a few values write a file of your own and give it with `--configfile`; it is laid over
@@ -50,6 +51,12 @@ For more than a few values write a file of your own and give it with `--configfi
 ```sh
 snakemake --cores 2 --configfile config/scenarios/own_facade.yaml
 snakemake --cores 2 --configfile config/scenarios/own_facade.yaml --config 'damping={law: value}'
+```
+
+The 3DEC study is such a file, over which other values or another file may be laid:
+
+```sh
+snakemake --configfile config/scenarios/study.yaml --config run=low models=W1 'facade={height_m: 5}'
 ```
 
 ## Studies: several runs at once
@@ -96,9 +103,7 @@ def render() -> str:
     """Return the text of config/README.md: how to override, then which keys a section has."""
     example = EXAMPLES / "heights_and_damping.yaml"
     text = INTRO.replace("{example}", example.read_text("utf-8"))
-    for name, schema in config_schema.sections().items():
-        if study_of(name):
-            continue
+    for name, schema in of_folder(config_schema.FOLDER):
         keys = ", ".join(f"`{path}`" for path, _ in config_schema.leaves(schema))
         title = schema.get("title", name)
         title = title[0].upper() + title[1:]
@@ -106,19 +111,22 @@ def render() -> str:
     return text
 
 
-def study_of(section: str) -> Path | None:
-    """Folder of the study whose section it is; None of the core's."""
-    folder = config_schema.files()[section].parent
-    return folder if folder.parent == config_schema.STUDIES else None
+def of_folder(folder: Path) -> list[tuple[str, dict]]:
+    """Sections that the schemas of a folder describe, or add keys to: the top level first."""
+    schemas = [
+        (name, config_schema.read(path))
+        for name, path in config_schema.files()
+        if path.parent == folder
+    ]
+    return sorted(schemas, key=lambda one: one[0] != config_schema.TOP)
 
 
 def sections() -> dict[str, str]:
     """Return the text of docs/keys/{section}.md by the file's name, a table of its keys."""
     pages = {}
-    for name, schema in config_schema.sections().items():
-        if not study_of(name):
-            lines = [f"# {_heading(name)}: {schema.get('title', name).lower()}", "", WRITTEN, ""]
-            pages[f"{_stem(name)}.md"] = "\n".join([*lines, *_keys(schema, HOW)]) + "\n"
+    for name, schema in of_folder(config_schema.FOLDER):
+        lines = [f"# {_heading(name)}: {schema.get('title', name).lower()}", "", WRITTEN, ""]
+        pages[f"{_stem(name)}.md"] = "\n".join([*lines, *_keys(schema, HOW)]) + "\n"
     return pages
 
 
@@ -128,13 +136,14 @@ def studies() -> dict[Path, str]:
     for rules in sorted(config_schema.STUDIES.glob("*/rules.smk")):
         folder = rules.parent
         lines = [f"# `{folder.name}`: targets and keys", "", WRITTEN, ""]
-        lines += ["| target | what it makes | costs |", "|---|---|---|"]
-        own = targets.targets(study=folder.name)
-        lines += [f"| `{name}` | {one.makes} | {one.costs} |" for name, one in own.items()]
-        for name, schema in config_schema.sections().items():
-            if study_of(name) == folder:
-                title = schema.get("title", name).lower()
-                lines += ["", f"## `{name}`: {title}", "", *_keys(schema, HOW_STUDY)]
+        if there := targets.targets(study=folder.name):
+            lines += ["| target | what it makes | costs |", "|---|---|---|"]
+            lines += [f"| `{name}` | {one.makes} | {one.costs} |" for name, one in there.items()]
+        else:
+            lines += ["No target: its files are asked for by name, as its rules say."]
+        for name, schema in of_folder(folder):
+            title = schema.get("title", name).lower()
+            lines += ["", f"## `{name}`: {title}", "", *_keys(schema, HOW_STUDY)]
         pages[folder / "keys.md"] = "\n".join(lines) + "\n"
     return pages
 

@@ -298,7 +298,8 @@ def _check_hinges(resolved: Mapping) -> None:
     for name in resolved["models"]:
         kind = registry.model(name)
         if not kind.compiled or kind.bonded:
-            raise ConfigError(f"models = {name}: expected W1, W2 or W2m, dry, with facade.{given}")
+            own = f"{given} = {courses}, or facade.courses = 0, one block" if courses else given
+            raise ConfigError(f"models = {name}: expected W1, W2 or W2m, dry, with facade.{own}")
     if facade.tilt_deg:
         raise ConfigError(f"facade.{given}: expected facade.tilt_deg = 0 (°)")
     if not facade.is_plain and heights == WEAKEST:

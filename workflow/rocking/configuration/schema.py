@@ -2,8 +2,8 @@
 
 One file `<section>.schema.yaml` describes one section, of the core in `workflow/schemas`, of a
 study in its folder of `workflow/studies`; `run` holds the keys at the top level. A file added is a
-section added to the configuration. Beside JSON Schema's own keywords (draft 2020-12) these are
-understood:
+section added to the configuration; a study's file with the name of a section of the core adds its
+keys to that. Beside JSON Schema's own keywords (draft 2020-12) these are understood:
 
 `unit`           unit of the value, "-" for dimensionless
 `below`, `at_most`  path of another key whose value is an upper limit, exclusive or inclusive
@@ -58,24 +58,15 @@ class ConfigError(ValueError):
         super().__init__(f"config: {self.detail}")
 
 
-def files(folder: Path = FOLDER) -> dict[str, Path]:
-    """Schema file of every section by name: those of a folder; of the core's, the studies' too.
-
-    ConfigError where two have one name.
-    """
-    found = sorted(folder.glob(f"*{ENDING}"))
-    found += sorted(STUDIES.glob(f"*/*{ENDING}")) if folder == FOLDER else []
-    by_name: dict[str, Path] = {}
-    for path in found:
-        name = path.name.removesuffix(ENDING)
-        if name in by_name:
-            raise ConfigError(f"{path}: section '{name}' is that of {by_name[name]} too")
-        by_name[name] = path
-    return by_name
+def files(folder: Path = FOLDER) -> list[tuple[str, Path]]:
+    """Name of the section and schema file: those of a folder; of the core's, then the studies'."""
+    paths = sorted(folder.glob(f"*{ENDING}"))
+    paths += sorted(STUDIES.glob(f"*/*{ENDING}")) if folder == FOLDER else []
+    return [(path.name.removesuffix(ENDING), path) for path in paths]
 
 
-def _read(path: Path) -> dict:
-    """Schema of a section; ConfigError of one line for what is none."""
+def _loaded(path: Path) -> dict:
+    """Schema of one file as it stands there; ConfigError of one line for what is none."""
     if not path.is_file():
         raise ConfigError(f"{path}: expected a file")
     try:
@@ -92,19 +83,27 @@ def _read(path: Path) -> dict:
     return found
 
 
+def read(path: Path) -> dict:
+    """Schema of one file, models and measures named."""
+    section = _loaded(path)
+    for _, leaf in leaves(section):
+        _name_all(leaf)
+    return section
+
+
 @functools.lru_cache(maxsize=4)
 def sections(folder: Path = FOLDER) -> dict[str, dict]:
     """Schema of every section by name, the top level first, then in alphabetical order."""
-    paths = files(folder)
-    names = sorted(paths)
-    if TOP not in names:
+    loaded: dict[str, dict] = {}
+    for name, path in files(folder):
+        if (known := loaded.setdefault(name, section := read(path))) is section:
+            continue
+        if both := sorted({*known["properties"]} & {*section["properties"]}):
+            raise ConfigError(f"{path}: {name}.{both[0]} stands elsewhere too")
+        known["properties"] |= section["properties"]
+    if TOP not in loaded:
         raise FileNotFoundError(f"{folder}: no {TOP}.schema.yaml")
-    names.sort(key=lambda name: name != TOP)
-    loaded = {name: _read(paths[name]) for name in names}
-    for section in loaded.values():
-        for _, leaf in leaves(section):
-            _name_all(leaf)
-    return loaded
+    return {name: loaded[name] for name in sorted(loaded, key=lambda name: (name != TOP, name))}
 
 
 def _name_all(leaf: dict) -> None:

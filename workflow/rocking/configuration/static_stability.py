@@ -84,7 +84,7 @@ def restoring(config: Mapping) -> float:
     facade = Facade.of(config["facade"])
     shape = shape_of(facade)
     b, width = facade.thickness_m, facade.width_m - shape.base_lost_m
-    weight, (arm, height) = leaning(facade, shape)
+    weight, (arm, height) = leaning(facade.floors, facade.thrusts, shape)
     if arm <= 0.0:  # thrusts alone turn it over
         return arm / height
     angle = math.atan2(arm, height) * ANGLES
@@ -111,7 +111,7 @@ def _pieces_stand(config):
     facade = Facade.of(config["facade"])
     shape = shape_of(facade)
     edges = np.array([0.0, *shape.hinges_m, shape.top_m])
-    jkn = np.array([joint_stiffness(config)[0], *hinge_stiffness(facade, shape)])
+    jkn = np.array([joint_stiffness(config)[0], *hinge_stiffness(facade.e_mpa, shape)])
     joints = [(0.0, shape.thickness_m, shape.base_lost_m)]
     joints += [shape.joint_at(z) for z in shape.hinges_m]
     size = np.array([(y1 - y0) ** 3 * (shape.width_m - lost) for y0, y1, lost in joints])

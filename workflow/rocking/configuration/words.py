@@ -1,5 +1,6 @@
 """Names of columns and keys, and values beside them, as a reader writes them."""
 
+from collections.abc import Mapping
 from typing import Any
 
 # endings of column names in tables, longest first, and how a reader writes the unit
@@ -76,3 +77,17 @@ def said(key: str, value: Any) -> str:
 def listed(pairs):
     """Keys with their values, those that have one."""
     return ", ".join(said(key, value) for key, value in pairs if value not in (None, []))
+
+
+def in_a_line(resolved: Mapping) -> str:
+    """Façade and building of a run in one line, for a title."""
+    facade, chain = resolved["facade"], resolved["smdof"]
+    wall = f"in {facade['courses']} courses" if facade["courses"] else "in one piece"
+    if facade["hinges_m"]:
+        wall = "hinged"
+    strength = chain["base_shear_ratio"]
+    building = "elastic" if strength is None else f"yields at V/W {strength:g}"
+    return (
+        f"façade {facade['height_m']:g} m high, {facade['thickness_m']:g} m thick, {wall}; "
+        f"building of {chain['period_s']:g} s, {building}"
+    )

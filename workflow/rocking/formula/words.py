@@ -4,7 +4,7 @@ import math
 import warnings
 
 from rocking.collapse.case import SECTIONS, Case
-from rocking.configuration import schema
+from rocking.configuration.config import resolve
 from rocking.formula.groups import OutsideError
 from rocking.formula.law import estimate
 
@@ -34,8 +34,8 @@ def of_run(name, resolved):
 
     Empty for the default façade and for one that the formula does not describe.
     """
-    known = schema.sections()
-    if all(resolved[section] == schema.complete({}, known[section]) for section in OWN):
+    usual = resolve({})
+    if all(resolved[section] == usual[section] for section in OWN):
         return ""
     every = [_estimated(resolved, model) for model in MODELS if model in resolved["models"]]
     found = [one for one in every if one]

@@ -47,6 +47,7 @@ __all__ = [
 
 TREATMENT = ("baseline", "seed", "vertical_motion")  # what is done to a row of the records table
 RECORDS_COLUMNS = ("record", "source", "dt_s", "duration_s", "pga_g", "pgv_cm_s", "pgd_cm")
+EXPECTED_VERTICAL = "expected it in the column vertical or vertical_file"
 
 
 def surrogates_for(table_path):
@@ -79,21 +80,19 @@ def load(
     table_path : str
         The records table.
     baseline : str or mapping
-        Treatment of a file's record: a method of `baseline.treat`, or a mapping of its
-        keywords (the configuration's section `baseline`). Surrogates start and end at
-        rest and are not treated.
+        Treatment of a file's record: a method of `baseline.treat`, or a mapping of its keywords
+        (the configuration's section `baseline`). Surrogates rest at both ends and need none.
     seed : int
-        Seed of the surrogates' noise.
+        Of the surrogates' noise.
     surrogates_path : str or None
-        Surrogate parameters; those of `surrogates_for` when None. A record without an
-        entry gets parameters derived from its peaks.
+        Surrogate parameters; None: those of `surrogates_for`. A record without an entry gets
+        parameters derived from its peaks.
     vertical : bool
-        The row's vertical motion (columns vertical, vertical_file), upward positive as the
-        file gives it, instead of the horizontal one.
+        The row's vertical motion (columns vertical, vertical_file), upward positive as the file
+        gives it, instead of the horizontal one.
     vertical_motion : str
-        The configuration's: "on" adds the vertical motion to the horizontal one. Both begin at the
-        same instant; where the vertical one ends earlier the ground rests, and what goes on
-        beyond the horizontal one is left out.
+        "on" adds the vertical motion to the horizontal one. Both begin at the same instant; where
+        the vertical one ends earlier the ground rests, later it is cut.
 
     Returns
     -------
@@ -112,21 +111,24 @@ def load(
     if name not in table:
         raise RecordError(f"{table_path}: no record {name!r}{nearest(str(name), table)}")
     row = table[name]
-    path = row.vertical_path if vertical else row.path
-    if vertical and path is None:
-        raise RecordError(
-            f"{table_path}, line {row.line}: record {name} has no vertical motion; expected it in "
-            "the column vertical or vertical_file"
-        )
-    if path is not None:
-        record = read_record(path, format=row.format, **row.stated(vertical))
-        options = {"method": baseline} if isinstance(baseline, str) else dict(baseline)
-        record = treat(record, **options)
+    if vertical and row.vertical_path is None:
+        place = f"{table_path}, line {row.line}: record {name}"
+        raise RecordError(f"{place} has no vertical motion; {EXPECTED_VERTICAL}")
+    if vertical or row.path is not None:
+        record = _of_file(row, vertical, baseline)
     else:
         surrogates_path = surrogates_path or surrogates_for(table_path)
         spec = read_specs(surrogates_path).get(name) if surrogates_path else None
         record = generate(name, **row.targets, spec=spec, seed=seed)
     return replace(record, details=record.details | {"about": row.about}) if row.about else record
+
+
+def _of_file(row, vertical, baseline):
+    """Motion of a table row's file, its baseline treated."""
+    path = row.vertical_path if vertical else row.path
+    record = read_record(path, format=row.format, **row.stated(vertical))
+    options = {"method": baseline} if isinstance(baseline, str) else dict(baseline)
+    return treat(record, **options)
 
 
 def load_as(settings, name, table_path):

@@ -15,12 +15,13 @@ from collections import defaultdict
 from dataclasses import asdict, dataclass, replace
 from functools import cache as once
 from pathlib import Path
+from warnings import catch_warnings, simplefilter
 
 import numpy as np
 
 from yade_scripts.files import write_json
 
-from . import read_specs, surrogates_for
+from . import floor_table, read_specs, surrogates_for
 from .baseline import treat
 from .errors import RecordError
 from .reader import open_file, pick
@@ -119,7 +120,7 @@ def check_records(
     for row in rows:
         spec = (specs or {}).get(row.record) if row.path is None else None
         # The path is part of the key because messages name it.
-        files = [(path, digest(path)) for path in _paths(row)]
+        files = [(path, digest(path)) for path in (*_paths(row), *_floor_files(row))]
         stated = asdict(row) | {"line": 0}
         key = _hash([_code(), stated, files, baseline, seed, repr(spec), draw])
         if key not in known:
@@ -293,12 +294,25 @@ def _of_files(row, baseline, opened):
     said = [*doubts, *warnings(treated)]
     for file in vertical:
         pick(*file, **row.stated(vertical=True))
+    if row.floors_path:
+        with catch_warnings(record=True) as doubted:
+            simplefilter("always")
+            floor_table.floors_of(row, treated)
+        said += [str(one.message) for one in doubted]
     return said, facts
 
 
 def _paths(row):
     """Files of a row: the horizontal motion's, and the vertical one's where it is used."""
     return [path for path in (row.path, row.vertical_path) if path]
+
+
+def _floor_files(row):
+    """Files of a row's floor motions; of a table that cannot be read the table alone."""
+    try:
+        return floor_table.files_of(row)
+    except RecordError:
+        return [row.floors_path]
 
 
 def _digest(path):

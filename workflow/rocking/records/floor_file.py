@@ -82,6 +82,12 @@ def read_floor_file(path, units=None, columns=None, record=None):
     return time_s, values
 
 
+def named(path):
+    """What the captions of a file name, "ground", "floor1", …; nothing of a file without."""
+    found = layout(read_text(path))
+    return [_name(label) for label, _, _ in found.channels] if found else []
+
+
 def _name(label):
     """What a caption names, "ground", "floor2" or "vertical"; empty for anything else."""
     words = re.sub(r"[(\[].*|_(?:%?m?g|\w+_s2|gal)$", "", label.strip()).strip(" _")

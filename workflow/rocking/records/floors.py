@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from smdof.chain import floor_motions
+from smdof.chain import floor_motions, shear_chain
 from yade_scripts.model.floor_motions import GROUND, VERTICAL
 
 
@@ -11,8 +11,7 @@ def chain_motions(record, chain):
     return floor_motions(
         record.acceleration_m_s2,
         record.dt_s,
-        chain["n_dof"],
-        chain["period_s"],
+        shear_chain(chain["n_dof"], chain["period_s"]),
         chain["damping_ratio"],
         chain["damping_model"],
         tail_s=chain["tail_s"],

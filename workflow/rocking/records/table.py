@@ -6,9 +6,11 @@ in quotation marks where they hold one.
 Columns: record, file (relative to the table's folder or absolute; empty: surrogate),
 format, dt_s, units (empty: from the file), component (label, azimuth or "#n" in a file
 with several), vertical and vertical_file (component and, where it is another, file of the
-vertical motion), station (of the instrument: components of one are drawn together in every
-interval), then event, mw, distance_km, soil for the reader and pga_g, pgv_cm_s, pgd_cm,
-duration_s, which a surrogate must have. Only `record` is required.
+vertical motion), floors (floor motions of another program, see `floor_table`) and
+floors_building ("elastic": those of one file scale with the ground), station (of the
+instrument: components of one are drawn together in every interval), then event, mw,
+distance_km, soil for the reader and pga_g, pgv_cm_s, pgd_cm, duration_s, which a surrogate
+must have. Only `record` is required.
 Lines that start with # are comments.
 """
 
@@ -23,14 +25,15 @@ from .reader import nearest
 from .record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, unit_name
 from .text import parse_number, read_text
 
-FILE_COLUMNS = ("file", "vertical_file")
+FILE_COLUMNS = ("file", "vertical_file", "floors")
 TARGETS = ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
 ABOUT = ("event", "station", "mw", "distance_km", "soil")
 NUMBER_COLUMNS = ("dt_s", "mw", "distance_km", *TARGETS)
 COLUMNS = (
-    *("record", *FILE_COLUMNS, "format", "units", "component", "vertical"),
+    *("record", *FILE_COLUMNS, "format", "units", "component", "vertical", "floors_building"),
     *("event", "station", "soil", *NUMBER_COLUMNS),
 )
+ELASTIC = "elastic"  # the one building whose floors scale with the ground
 MAX_NAME = 64
 SEPARATED = {"\t": "tabs", ";": "semicolons", ",": "commas"}
 _NAME = re.compile(r"[A-Za-z0-9_+][A-Za-z0-9._+-]*")
@@ -41,7 +44,8 @@ class Row:
     """One motion of a records table; None where a cell is empty.
 
     path is the record file's path, None for a surrogate; line the table's line;
-    vertical_path and vertical are file and component of the vertical motion.
+    vertical_path and vertical are file and component of the vertical motion. floors_path is
+    the file of floor motions that another program computed, or the table of such files by PGA.
     """
 
     record: str
@@ -55,6 +59,8 @@ class Row:
     line: int = 0
     vertical_path: str | None = None
     vertical: str | None = None
+    floors_path: str | None = None
+    floors_building: str | None = None
 
     @property
     def source(self):
@@ -187,8 +193,15 @@ def _row(text, number, cells):
                 raise text.error(number, f"record {name}: {said} {cells[column]!r} ({path})")
             paths[column] = path
     own = paths.get("file")
+    if own is None and "floors" in paths:
+        raise text.error(
+            number,
+            f"record {name}: floors without a file; expected in the column file the motion that "
+            "the building was given",
+        )
     if own is None and (vertical or paths):
         raise text.error(number, f"record {name}: a vertical motion without a file")
+    building = _floors_building(text, number, name, cells)
     missing = [column for column in TARGETS if column not in numbers]
     if own is None and missing:
         raise text.error(
@@ -206,7 +219,21 @@ def _row(text, number, cells):
         line=number,
         vertical_path=paths.get("vertical_file", own if vertical else None),
         vertical=vertical,
+        floors_path=paths.get("floors"),
+        floors_building=building,
     )
+
+
+def _floors_building(text, number, name, cells):
+    """Which building a row's floors are of: `ELASTIC`, or None."""
+    said = cells.get("floors_building")
+    if said is not None and "floors" not in cells:
+        raise text.error(number, f"record {name}: floors_building = {said!r} without floors")
+    if said not in (None, ELASTIC):
+        raise text.error(
+            number, f"record {name}: floors_building = {said[:40]!r}; expected {ELASTIC} or nothing"
+        )
+    return said
 
 
 def _numbers(text, number, cells):

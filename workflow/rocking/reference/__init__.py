@@ -7,16 +7,16 @@ the supports, `adaptive` and `batch` integrate.
 
 from .adaptive import AdaptiveHistory, simulate
 from .batch import BatchResult, simulate_batch
+from .integrate import Steps
 from .motion import SupportTable
 from .wall import Wall
 
 __all__ = [
     "AdaptiveHistory",
     "BatchResult",
-    "Motion",
+    "Steps",
     "SupportTable",
     "Wall",
     "simulate",
     "simulate_batch",
 ]
-Motion = SupportTable  # its name of one version ago

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .contact import initial, law_of
-from .integrate import COLUMNS, Control, Drive, fixed, march, units
+from .integrate import ADAPTED, COLUMNS, Control, Drive, fixed, march, units
 from .motion import SupportTable
 
 ROWS = 4096  # room for rows at the start
@@ -71,8 +71,7 @@ def simulate(
     duration_s=None,
     theta0_over_alpha=0.0,
     tolerance=1e-6,
-    max_step_s=2e-3,
-    min_step_s=1e-8,
+    steps=ADAPTED,
     stop_d_over_b=2.0,
     scale=1.0,
 ):
@@ -93,9 +92,7 @@ def simulate(
         Release angle about the front toe; 0 is the block at rest on its base.
     tolerance : float
         Local error a step, as above.
-    max_step_s, min_step_s : float
-        At the smallest step the estimate is ignored: friction and contact jumps
-        have no smaller scale worth resolving.
+    steps : Steps
     stop_d_over_b : float
         Stops the run when |d/b| exceeds it.
     scale : float
@@ -112,13 +109,17 @@ def simulate(
         number of return-wall segments.
     """
     motion, duration = checked(wall, motion, duration_s)
-    control = Control(
-        duration, tolerance, max_step_s, min_step_s, stop_d_over_b * wall.b_m, fixed_s=0.0
-    )
+    longest_s, shortest_s, fixed_s = steps
+    stop_m = stop_d_over_b * wall.b_m
+    control = Control(duration, tolerance, longest_s, shortest_s, stop_m, fixed_s)
     angle = theta0_over_alpha * wall.alpha_rad
-    rows, written, peak, _, last, _, steps, rejected = run(
-        wall, motion, scale, angle, control, np.empty((ROWS, COLUMNS))
-    )
+    marched = run(wall, motion, scale, angle, control, np.empty((ROWS, COLUMNS)))
+    return _history(wall, marched, stop_d_over_b)
+
+
+def _history(wall, marched, stop_d_over_b):
+    """`AdaptiveHistory` of what `run` returns."""
+    rows, written, peak, _, last, _, steps, rejected = marched
     time, y, z, theta, vy, vz, omega, contact, given, d, elastic = rows[:written].T
     kinetic = 0.5 * wall.mass_kg * (vy**2 + vz**2) + 0.5 * wall.inertia_kg_m2 * omega**2
     return AdaptiveHistory(

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .adaptive import checked, ended, run
-from .integrate import COLUMNS, Control
+from .integrate import ADAPTED, COLUMNS, Control
 
 
 @dataclass(frozen=True)
@@ -35,34 +35,30 @@ def simulate_batch(
     duration_s=None,
     theta0_over_alpha=0.0,
     tolerance=1e-6,
-    dt_s=None,
-    max_step_s=2e-3,
-    min_step_s=1e-8,
+    steps=ADAPTED,
     stop_d_over_b=2.0,
 ):
     """Simulate one wall under one motion at many amplitudes, or from many release angles.
 
     Amplitudes, factors on all accelerations, and angles over α are one number or one a case. The
-    other parameters and errors are those of `simulate`. `dt_s` takes in place of error control a
-    fixed step of the classical Runge–Kutta scheme, the largest one: each interval of the motion is
-    divided equally. First-order accurate across the jumps of the contact forces, otherwise fourth.
+    other parameters and errors are those of `simulate`.
     """
     motion, duration = checked(wall, motion, duration_s)
-    if dt_s is not None and not (math.isfinite(dt_s) and dt_s > 0.0):
-        raise ValueError(f"dt_s: expected a positive step, got {dt_s}")
+    if not 0.0 <= steps.fixed_s < math.inf:
+        raise ValueError(f"steps.fixed_s: expected a positive step, got {steps.fixed_s}")
     scales, theta0 = np.broadcast_arrays(
         np.atleast_1d(np.asarray(scales, float)),
         np.atleast_1d(np.asarray(theta0_over_alpha, float)),
     )
-    control = Control(
-        duration, tolerance, max_step_s, min_step_s, stop_d_over_b * wall.b_m, dt_s or 0.0
-    )
+    longest_s, shortest_s, fixed_s = steps
+    stop_m = stop_d_over_b * wall.b_m
+    control = Control(duration, tolerance, longest_s, shortest_s, stop_m, fixed_s)
     rows = np.empty((0, COLUMNS))
     found = [
         run(wall, motion, scale, angle * wall.alpha_rad, control, rows)[2:7]
         for scale, angle in zip(scales, theta0, strict=True)
     ]
-    peak, turned, last, end, steps = (np.array(column) for column in zip(*found, strict=True))
+    peak, turned, last, end, counts = (np.array(column) for column in zip(*found, strict=True))
     return BatchResult(
         scales.copy(),
         theta0.copy(),
@@ -71,5 +67,5 @@ def simulate_batch(
         peak >= wall.b_m,
         [ended(d / wall.b_m, stop_d_over_b) for d in last],
         end,
-        steps,
+        counts,
     )

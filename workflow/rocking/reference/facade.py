@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocking.reference import SupportTable, Wall, simulate_batch
+from rocking.reference import Steps, SupportTable, Wall, simulate_batch
 from rocking.reference.stack import StackSolver
 from yade_scripts.model import base, floor_motions, registry, yielding
 from yade_scripts.model.facades import Facade
@@ -186,5 +186,6 @@ def _peaks(case, motion, scales, nodes, dt_s):
     if not one_block(case):
         return stack_of(case, nodes, time_s, columns).peaks(scales).d_over_b
     motion = motion_of(time_s, columns, case["model"])
-    result = simulate_batch(wall_of(case, nodes), motion, scales, dt_s=dt_s, stop_d_over_b=1.0)
+    how = {"steps": Steps(fixed_s=dt_s), "stop_d_over_b": 1.0}
+    result = simulate_batch(wall_of(case, nodes), motion, scales, **how)
     return np.minimum(result.peak_d_over_b, 1.0)

@@ -35,11 +35,25 @@ _E = np.array((71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 52
 COLUMNS = 11  # of a row: time, the state before the slips, d [m], elastic energy
 
 
-class Control(NamedTuple):
-    """When and how finely to step, see `adaptive.simulate`; `stop_m` is a bound on |d|.
+class Steps(NamedTuple):
+    """Longest and shortest step under error control [s], or a fixed one where that is positive.
 
-    A fixed step takes the place of error control where it is positive.
+    At the shortest step the estimate is ignored: friction and contact jumps have no smaller scale
+    worth resolving. A fixed step is one of the classical Runge–Kutta scheme, the largest: each
+    interval of the motion is divided equally. It is first-order accurate across the jumps of the
+    contact forces, otherwise fourth.
     """
+
+    max_step_s: float = 2e-3
+    min_step_s: float = 1e-8
+    fixed_s: float = 0.0
+
+
+ADAPTED = Steps()
+
+
+class Control(NamedTuple):
+    """When and how finely to step, see `adaptive.simulate` and `Steps`; `stop_m` bounds |d|."""
 
     duration_s: float
     tolerance: float

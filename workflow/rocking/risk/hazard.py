@@ -18,7 +18,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rocking.records.errors import RecordError
 from rocking.records.intensity_measures import MEASURES
 from rocking.records.text import comma_hint, read_text
 
@@ -70,31 +69,6 @@ def read_hazard(path, period_s, site=None):
     if lines[0].startswith("#") and "investigation_time" in lines[0]:
         return _export(path, lines, period_s, site)
     return _table(path, lines)
-
-
-def stated_hazard(resolved, find):
-    """File of the hazard curve that a configuration names, read and found to serve it.
-
-    `find` returns where a file of the configuration is. A HazardError names the key.
-    """
-    path = resolved["risk"]["hazard"]
-    if path is None:
-        raise HazardError(
-            "config: risk.hazard: null; expected the file of a hazard curve, with the columns"
-            " pga_g,annual_rate or as OpenQuake exports it"
-        )
-    path = find(path)
-    try:
-        curve = read_hazard(path, resolved["smdof"]["period_s"], resolved["risk"]["site"])
-    except (HazardError, RecordError) as error:
-        raise HazardError(f"risk.hazard: {error}") from None
-    measures = resolved["fragility"]["measures"]
-    if curve.measure not in measures:
-        raise HazardError(
-            f"risk.hazard: {path} is of {curve.measure}; expected one of fragility.measures"
-            f" ({', '.join(measures)})"
-        )
-    return path
 
 
 def _fault(path, line, words):

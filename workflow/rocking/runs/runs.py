@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from rocking.configuration import config as configuration
 from rocking.configuration.schema import value_at
-from rocking.records import read_table, surrogates_for
+from rocking.records import floor_table, read_table, surrogates_for
 from rocking.runs.shared import Shared
 from rocking.stations import unnamed
 from yade_scripts.model import storeys
@@ -48,6 +48,11 @@ class Runs:
         for run, resolved in self.settings.items():
             if resolved["vertical_motion"] == "on":
                 self.check_vertical(run, "vertical_motion = on", self.records[run])
+            for row in self._rows(run):
+                if row.floors_path:
+                    from rocking.runs.floors import refuse
+
+                    refuse(resolved, row)
 
     def cfg(self, wildcards) -> dict[str, Any]:
         """Resolved configuration of the run that a job belongs to."""
@@ -172,6 +177,15 @@ class Runs:
         paths = [path for row in rows for path in (row.path, row.vertical_path) if path]
         return list(dict.fromkeys(paths))
 
+    def floor_files(self, wildcards):
+        """Files of the floor motions that another program computed for a record."""
+        return floor_table.files_of(self.record_row(wildcards))
+
+    def floors(self, wildcards):
+        """What a record's row says of them: the table's and the file's name; None: none."""
+        row = self.record_row(wildcards)
+        return row.floors_path and [self.table_path(wildcards.run), row.floors_building]
+
     def surrogate_parameters(self, wildcards):
         """File of the surrogates' parameters, for a record without a file of its own."""
         if self.record_row(wildcards).path is not None:
@@ -199,8 +213,9 @@ class Runs:
         return [CurveKey(*names) for names in found]
 
     def confirmed(self, run) -> list[str]:
-        """Records whose dense scans YADE confirms: one of every `ida.confirm_every`, in order."""
-        return self.records[run][:: self.settings[run]["ida"]["confirm_every"]]
+        """Records whose dense scans YADE confirms: one of every `ida.confirm_every`, or one."""
+        every = self.settings[run]["ida"]["confirm_every"]
+        return self.records[run][:: every or len(self.records[run])]
 
     def scanned(self, run, model) -> bool:
         """Whether the curves of a model follow a dense scan by the planar solver."""
@@ -212,12 +227,17 @@ class Runs:
 
     def by_yade(self, run) -> list[CurveKey]:
         """Curves that YADE runs: none of a pushed building whose loops its sliders cannot do."""
-        confirmed, slides = self.confirmed(run), storeys.slides(self.settings[run]["smdof"])
+        settings, confirmed = self.settings[run], self.confirmed(run)
+        one_way = settings["directions"][: None if settings["ida"]["confirm_every"] else 1]
+        slides = storeys.slides(settings["smdof"])
         return [
             curve
             for curve in self.curves(run)
             if not self.scanned(run, curve.model)
-            or (curve.record in confirmed and (slides or not MODELS[curve.model].two_way))
+            or (
+                (curve.record in confirmed and curve.direction in one_way)
+                and (slides or not MODELS[curve.model].two_way)
+            )
         ]
 
     def ensembles(self, run) -> list[CurveKey]:

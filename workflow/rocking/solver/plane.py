@@ -80,31 +80,38 @@ def to_plane(scene, frame=None):
     ValueError
         One line if the scene is not of that kind.
     """
+    free, names = _free_blocks(scene), moving_supports(scene, frame)
+    reference = scene.blocks[scene.index(scene.reference)]
+    if names and any(b.motion is None for b in scene.blocks if not b.free) and reference.motion:
+        raise ValueError("planar solver: a support at rest beside a driven reference")
+    column = {name: i for i, name in enumerate(names)}
+    if len(free) > 1:
+        return stacked(scene, free, column, of_scene(scene, free, column))
+    return _of_one_block(scene, free[0], column)
+
+
+def _free_blocks(scene):
+    """Indices of the free blocks of a scene; ValueError where it is none of a plane."""
     sprung = {floor.b for floor in scene.floors}  # floors with a mass of their own
     free = [i for i, block in enumerate(scene.blocks) if block.free and i not in sprung]
     if not free or any(not set(scene.blocks[i].free) <= set(FREEDOMS) for i in free):
         raise ValueError("planar solver: expected free blocks with the freedoms y, z, rotation x")
-    nodes = scene.nodes
-    if np.any(np.abs(nodes.normal[:, 0]) > 1e-12):
+    if np.any(np.abs(scene.nodes.normal[:, 0]) > 1e-12):
         raise ValueError("planar solver: every node must push in the plane")
-    reference = scene.blocks[scene.index(scene.reference)]
-    names = moving_supports(scene, frame)
-    if names and any(b.motion is None for b in scene.blocks if not b.free) and reference.motion:
-        raise ValueError("planar solver: a support at rest beside a driven reference")
-    column = {name: i for i, name in enumerate(names)}
-    bars = of_scene(scene, free, column)
-    if len(free) > 1:
-        return stacked(scene, free, column, bars)
-    (own,) = free
-    block = scene.blocks[own]
+    return free
+
+
+def _of_one_block(scene, free, column):
+    """`Planar` of a scene whose only free block is `free`; `column` numbers the moving supports."""
+    block, nodes = scene.blocks[free], scene.nodes
     if block.free != FREEDOMS:
         raise ValueError("planar solver: expected a block that is free along y, z and about x")
     if np.any(nodes.drag != 1.0):
         raise ValueError("planar solver: expected dashpots along the joints of a single block")
-    if np.any((nodes.a == own) == (nodes.b == own)):
+    if np.any((nodes.a == free) == (nodes.b == free)):
         raise ValueError("planar solver: every node must join the block to a support")
     centre = np.array(block.centre_m)[1:]
-    groups = [_group(scene, own, centre, column, mine) for mine in grouped(nodes, centre)]
+    groups = [_group(scene, free, centre, column, mine) for mine in grouped(nodes, centre)]
     sizes = [len(group["place_m"]) for group in groups]
     order = np.concatenate([group.pop("nodes") for group in groups])
     kn = nodes.kn_n_m[order]
@@ -128,16 +135,16 @@ def to_plane(scene, frame=None):
         gravity_m_s2=float(scene.gravity_m_s2),
         thickness_m=float(scene.thickness_m),
         monitor_m=np.array(scene.monitor_point_m, float)[1:] - centre,
-        foot=column.get(reference.motion, -1),
-        bars=bars,
+        foot=column.get(scene.blocks[scene.index(scene.reference)].motion, -1),
+        bars=of_scene(scene, [free], column),
     )
 
 
-def _group(scene, own, centre, column, mine):
+def _group(scene, free, centre, column, mine):
     """Values of one group, its nodes in order, by the names of `Planar`."""
     nodes, i = scene.nodes, mine[0]
     place, (origin, direction) = line_of(nodes, centre, mine)
-    carried = nodes.a[i] == own
+    carried = nodes.a[i] == free
     support = scene.blocks[nodes.b[i] if carried else nodes.a[i]]
     normal = nodes.normal[i, 1:]
     return {

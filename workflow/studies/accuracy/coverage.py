@@ -1,7 +1,7 @@
 """Dense scans by the independent planar solver, and what of them a reported curve covers.
 
 The reference solver (`rocking.reference`) shares no code with the compiled one. Its
-search is `collapse.search.dense`, from half the lowest collapse that the workflow found, with
+search is `dense`, from half the lowest collapse that the workflow found, with
 `accuracy.reference_scan_step` for the fine steps. The dense probability at an amplitude
 is the share of its histories within that spread that fall; nodes and tolerance are the same.
 """
@@ -10,10 +10,11 @@ import math
 
 import numpy as np
 import pandas as pd
-from rocking.collapse import probability, search
+from rocking.collapse import probability
 from rocking.reference.facade import outcomes
 from scipy.optimize import isotonic_regression
 
+from studies.accuracy.dense import dense
 from yade_scripts.commands.search import drive
 
 KEY = probability.KEY
@@ -43,7 +44,7 @@ def scan(job, motion_path, direction, settings, start_g):
         parts.append(table.assign(status=found.status))
         return found.status
 
-    drive(search.dense(start_g, {**settings, "fine_step": settings["reference_scan_step"]}), run)
+    drive(dense(start_g, {**settings, "fine_step": settings["reference_scan_step"]}), run)
     table = pd.concat(parts).sort_values("pga_g", ignore_index=True)
     return table.assign(collapsed=(table["status"] == "overturned").astype(int))
 

@@ -38,20 +38,23 @@ def damage(sensitivity, mechanisms, demand_g):
 
 
 def thinner_is_better(sensitivity):
-    """A line where the check allows a thinner wall more than a thicker one; else nothing.
+    """A line where the check allows a thinner wall more than the next thicker one; else nothing.
 
-    d_SLV = 0.4 d0 grows with the thickness, and so passes the displacement up to which a tie or an
-    anchor holds: there the curve has lost it.
+    Of the sensitivity's factors in turn the two between which it falls most. d_SLV = 0.4 d0 grows
+    with the thickness, and so passes the displacement up to which a tie or an anchor holds: there
+    the curve has lost it.
     """
     slv = sensitivity["check"].isin(("slv_ground", "slv_height"))
     rows = sensitivity[slv & (sensitivity["key"] == "facade.thickness_m")]
     ratio = rows.groupby("factor")["ratio"].min().sort_index()
-    if len(ratio) < 2 or ratio.iloc[-1] >= THINNER * ratio.iloc[0]:
+    grows = (ratio.shift(-1) / ratio).iloc[:-1].to_numpy()
+    if not len(grows) or grows.min() >= THINNER:
         return ""
+    (thin, low), (thick, high) = list(ratio.items())[grows.argmin() :][:2]
     return (
-        f"The check does not grow with the thickness: at {ratio.index[0]:g} times it is passed up "
-        f"to {per_cent(ratio.iloc[0])} of the demand's PGA, at {ratio.index[-1]:g} times up to "
-        f"{per_cent(ratio.iloc[-1])}. There d_SLV = 0.4 d0 passes the displacement up to which a "
+        f"The check does not grow with the thickness: at {thin:g} times it is passed up "
+        f"to {per_cent(low)} of the demand's PGA, at {thick:g} times up to "
+        f"{per_cent(high)}. There d_SLV = 0.4 d0 passes the displacement up to which a "
         "tie or an anchor holds (C8.7.1.2.1.6): rest on the lesser, or lengthen the rods."
     )
 

@@ -2,12 +2,12 @@
 
 import numpy as np
 from rocking.mechanics.mechanism import WHOLE
-from rocking.mechanics.rocking_block import overturning_pga
 from rocking.records import integrate
 
 from studies.assess import checks
 from studies.assess.demand import RecordDemand, floor_demand
 from studies.assess.family import Family
+from studies.assess.rocking_block import overturning_pga
 from studies.assess.slv import Slv, read_as
 from yade_scripts.model.motion import SIGNS
 

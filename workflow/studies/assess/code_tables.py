@@ -32,7 +32,7 @@ STEPS = ["part", "mechanism", "check", "symbol", "meaning", "value", "unit"]
 TIE_SHARES = (0.02, 0.05, 0.10, 0.20)  # of the façade's weight
 VARIED = {  # factors by key
     "facade.height_m": (0.95, 1.05),
-    "facade.thickness_m": (0.95, 1.05),
+    "facade.thickness_m": (0.8, 0.95, 1.05, 1.2),  # over which a link's end may be passed
     "facade.density_kg_m3": (0.9, 1.1),
     "smdof.period_s": (0.75, 1.25),
     "smdof.damping_ratio": (0.6, 1.4),

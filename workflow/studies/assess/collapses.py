@@ -12,10 +12,11 @@ import numpy as np
 import pandas as pd
 from rocking.collapse.curve import collapse_curves
 from rocking.collapse.quick import LONG_STEP, crossings_of
+from rocking.collapse.search import CALM
 
 RATIO = 1.12  # from one amplitude to the next, as of a short climb of W1
 DEEP = 0.6  # of the known collapse, where they begin: what falls there climbs from far below
-FIRST, CALM = 2, 0.2  # amplitudes that are run first; d/b below which none below them falls
+AT_A_TIME = 2  # amplitudes between two looks
 BELOW = 1.25  # times below the lowest that falls, where the climb begins; as far above it ends
 NOTHING = {"pga_p10_g": math.nan, "pga_median_g": math.nan}
 
@@ -80,18 +81,24 @@ def _begun(from_g):
 def _asked(case, turns, most_g, least_g, from_g):
     """Whether and where a part falls below what is known by turn [g], above where it stands.
 
-    The highest amplitudes first: where the part stays below `CALM` at them, none below is run.
+    The highest amplitudes first, `AT_A_TIME`: where the part stays below d/b of `CALM` at them, as
+    a short climb has it, none below is run.
     """
     ends = np.minimum(least_g, most_g)
     count = 1 + math.ceil(math.log(1.0 / DEEP) / math.log(RATIO))
     levels = [end * RATIO ** np.arange(1.0 - count, 0.5) for end in ends]
     levels = [own[own > start] for own, start in zip(levels, from_g, strict=True)]
-    first = _listed(case, turns, [own[-FIRST:] for own in levels])
-    more = [k for k, own in enumerate(levels) if len(own) > FIRST]
-    moved = [k for k in more if not first[k]["d_over_b"].max() < CALM]
-    rest = _listed(case, [turns[k] for k in moved], [levels[k][:-FIRST] for k in moved])
-    for k, table in zip(moved, rest, strict=True):
-        first[k] = pd.concat([table, first[k]], ignore_index=True)
+    first = _listed(case, turns, [own[-AT_A_TIME:] for own in levels])
+    moved = list(range(len(turns)))
+    for done in range(AT_A_TIME, count, AT_A_TIME):
+        moved = [
+            k
+            for k in moved
+            if len(levels[k]) > done and not first[k]["d_over_b"][:AT_A_TIME].max() < CALM
+        ]
+        lower = [levels[k][:-done][-AT_A_TIME:] for k in moved]
+        for k, table in zip(moved, _listed(case, [turns[k] for k in moved], lower), strict=True):
+            first[k] = pd.concat([table, first[k]], ignore_index=True)
     rows, again = [], []
     for k, (table, end) in enumerate(zip(first, ends, strict=True)):
         fell = table.loc[table["status"] == "overturned", "pga_g"]

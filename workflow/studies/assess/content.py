@@ -146,6 +146,14 @@ def dynamic_check(data):
     }
 
 
+def bare_said(row):
+    """What a verdict's row says of d_SLV without the links that give way early; mostly nothing."""
+    limit_m = getattr(row, "d_slv_bare_m", float("nan"))
+    if limit_m != limit_m:
+        return ""
+    return f" ({1e3 * limit_m:.0f} mm without a link: {'' if row.slv_bare else 'not '}held)"
+
+
 def _decided(data):
     """Table of the model that governs, and of the mechanism that decides in each other model."""
     verdicts, shaken = data.tables["verdicts"], data.tables["shaken"]
@@ -161,7 +169,7 @@ def _decided(data):
             f"{r.model}, {names[r.part]}",
             f"{r.exceed_d0:.0f} of {r.motions:.0f}",
             f"{1e3 * r.mean_d_m:.0f} mm",
-            f"{1e3 * r.d_slv_m:.0f}, {1e3 * r.d_slc_m:.0f} mm",
+            f"{1e3 * r.d_slv_m:.0f}, {1e3 * r.d_slc_m:.0f} mm{bare_said(r)}",
             held,
             "held" if r.slc else "not held",
             per_cent(r.agree),

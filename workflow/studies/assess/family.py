@@ -24,7 +24,7 @@ import math
 from dataclasses import replace
 from typing import NamedTuple
 
-from rocking.mechanics.blocks import Held, bending, interlocking, leaned, toppling
+from rocking.mechanics.blocks import Edges, Held, bending, interlocking, leaned, toppling
 from rocking.mechanics.closed_forms import Interlocked
 from rocking.mechanics.mechanism import WHOLE, Mechanism, turning
 
@@ -281,9 +281,11 @@ class Family:
             "vertical bending",
             self._leaned(m.masses(low_m, hinge_m)),
             self._leaned(m.masses(hinge_m, high_m)),
-            self._leaned_point((self._edge(low_m, inset), low_m)),
-            self._leaned_point(joint),
-            self._leaned_point((outer, high_m)),
+            Edges(
+                *map(
+                    self._leaned_point, ((self._edge(low_m, inset), low_m), joint, (outer, high_m))
+                )
+            ),
             self._leaned(between),
             self._leaned(above),
             [p for p in self.pulls if low_m + NEAR_M < p.height_m < high_m - NEAR_M],

@@ -24,10 +24,10 @@ import math
 
 import numpy as np
 from rocking.mechanics.blocks import leaned, toppling
-from rocking.mechanics.hanging import Wedge, hanging
 from rocking.mechanics.mechanism import gauss
 
 from studies.assess import region
+from studies.assess.hanging import Wedge, hanging
 from studies.assess.names import COMPOUND, HORIZONTAL, PART_WIDTH, named
 from studies.assess.partial_width import part_width, widths
 from studies.assess.sites import LEAST_PART_M, Site

@@ -7,6 +7,7 @@ from rocking.formula import words
 from studies.assess import (
     advice,
     appendix,
+    building_first,
     content,
     drawings,
     evidence,
@@ -57,6 +58,7 @@ def context(data, digest):
             ("Which ties?", ties_said.answer(data)),
             ("How far?", capacity_said(data)),
             ("How often?", rate_said(data)),
+            *(("Which first?", first) for first in [building_first.said(data)] if first),
             ("Not covered", f"{NOT_COVERED} {not_asked(own['mechanisms'])}".strip()),
         ],
         "rests_on": rests_on(data),
@@ -225,8 +227,10 @@ def early_said(mechanisms):
         "A tie or an anchor that gives way before 0.4 d0 and takes more than half of the capacity "
         "with it sets d_SLV by the letter of C8.7.1.2.1.6. The same paragraph asks for 0.4 d0 of a "
         "curve with those actions alone that last until collapse, and a link that only pulls back "
-        "never lowers the curve (C8.7.1.1). So the check is made without the link too, and the "
-        "larger PGA counts; d_SLV of the dynamic check is that of the same curve."
+        "never lowers the curve (C8.7.1.1). So the check by hand is made without the link too, and "
+        "the larger PGA counts. Motions shake the façade with the link, and C8.7.1.2.1.6 takes the "
+        "lesser of the two d_SLV: the dynamic check is held to it, and the table of that check "
+        "states the larger one beside it."
     ]
 
 

@@ -1,8 +1,7 @@
 # The answer of codes of practice compared with the dynamic one: a report for one façade. Over many façades:
 # code_against_dynamics.smk.
 from studies.assess import inputs as assessed
-from studies.assess.shaken import SETTLED
-from studies.assess.verdict import GOVERNS
+from studies.assess.held import GOVERNS, SETTLED
 from rocking.stations import turns
 
 COMMIT = version.commit(40) or "none"
@@ -158,6 +157,7 @@ rule assess_dynamic:
         rates=results("assessment/rate.csv"),
         parts=results("assessment/parts_dynamic.csv"),
         left_out=results("assessment/rate_left_out.csv"),
+        first=results("assessment/building_first.csv"),
     benchmark:
         benchmarks("assess_dynamic")
     params:
@@ -253,6 +253,12 @@ rule assess_confirm:
         "scripts/assess_confirm.py"
 
 
+def threads_of_ties(wildcards):
+    """Half of the cores, up to 4: the others do what else the report takes meanwhile."""
+    sought = RUNS.cfg(wildcards)["assessment"]["tie_levels_m"] != []
+    return max(1, min(4, (workflow.resource_settings.cores or 2) // 2)) if sought else 1
+
+
 rule assess_ties:
     input:
         **MOTIONS,
@@ -266,10 +272,12 @@ rule assess_ties:
         models=results("assessment/ties_models.csv"),
         after=results("assessment/ties_mechanisms.csv"),
         tried=results("assessment/ties_tried.csv"),
+        share=results("assessment/ties_share.csv"),
         yaml=results("assessment/ties.yaml"),
     benchmark:
         benchmarks("assess_ties")
-    threads: lambda w: 1 if RUNS.cfg(w)["assessment"]["tie_levels_m"] == [] else 4
+    priority: 3  # as long as all else on another core
+    threads: threads_of_ties
     params:
         run=lambda w: w.run,
         table=lambda w: RUNS.table_path(w.run),
@@ -297,7 +305,7 @@ rule assess_friction:
         results("assessment/friction.csv"),
     benchmark:
         benchmarks("assess_friction")
-    priority: 1
+    priority: 2
     params:
         table=lambda w: RUNS.table_path(w.run),
         model=lambda w: governing(w.run),
@@ -383,4 +391,3 @@ rule assess:
 
 
 include: "code_against_dynamics.smk"
-include: "strengthening.smk"

@@ -2,15 +2,18 @@
 
 The whole façade, and every other plane mechanism that fails by hand below
 `assessment.shaken_within` times the demand's PGA: what is near the demand, whatever the weakest
-does. Corners do not turn over the whole width, and parts that are too stocky to rock slide first:
-they are judged by hand alone, and the reason is said. The whole façade, one mechanism above a cut,
-and a span of it are all cases (`Case.part`).
+does. So is one with a tie or an anchor that gives way early, which sets its d_SLV: the millimetres
+up to there are elastic sway, of which no check by hand tells. Corners do not turn over the whole
+width, and parts that are too stocky to rock slide first: they are judged by hand alone, and the
+reason is said. The whole façade, one mechanism above a cut, and a span of it are all cases
+(`Case.part`).
 
 By default no friction of floors holds the façade while it is shaken (`settled`): by hand it is left
 out too, since nobody has verified that it lasts until collapse.
 """
 
 import copy
+import math
 
 import pandas as pd
 from rocking.collapse.case import Case
@@ -18,15 +21,12 @@ from rocking.configuration.facade import TooStockyError
 from rocking.tables import read_frame
 
 from studies.assess.anchors import completed
-from studies.assess.dynamic_check import Limits, limits_of
+from studies.assess.dynamic_check import Limits, limits_with
+from studies.assess.held import SETTLED
 from studies.assess.sites import EXTENT, WHOLE_PART
 
 COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "side", "pga_fails_g"]
-COLUMNS += [*EXTENT, "d0_m", "d_slv_m", "d_slc_m", "shaken", "why_not", "why_words"]
-SETTLED = (  # keys that say what holds a façade while it is shaken
-    *("floor_friction", "anchor_plate_m", "masonry_shear_mpa", "masonry_compression_mpa"),
-    "confidence_factor",
-)
+COLUMNS += [*EXTENT, "d0_m", "d_slv_m", "d_slc_m", "d_slv_bare_m", "shaken", "why_not", "why_words"]
 CORNER, FAR, STOCKY, REFUSED = "corner", "far", "stocky", "refused"  # why one is not shaken
 NARROW = "narrow"
 WORDS = {
@@ -90,7 +90,7 @@ def why_not(one, pga_g, least_g, tried):
     if not one.plane:
         why = CORNER if one.side else NARROW
         return why, WORDS[why]
-    if not one.whole and pga_g > least_g:
+    if not one.whole and pga_g > least_g and math.isnan(limits_with(one).bare_m):
         return FAR, f"fails by hand at {pga_g:.3g} g"
     try:
         for case in tried:
@@ -106,14 +106,15 @@ def chosen(ranked, tried, demand_g, within):
     """Which mechanisms are shaken, and why the others are not: COLUMNS, in the order of `ranked`.
 
     One of `code_checks.governing` is shaken where it fails by hand below `within` times the
-    demand's PGA and is a case of each of `tried`, one of each model.
+    demand's PGA, or has a link that gives way early, and is a case of each of `tried`, one of each
+    model.
     """
     rows = []
     for pga_g, one, _ in ranked:
         why = why_not(one, pga_g, within * demand_g, tried)
         about = label(one), one.name, *heights(one), one.side, pga_g
         about = *about, *(getattr(one, key) for key in EXTENT)
-        rows.append((*about, *limits_of(one.mechanism), int(not why[0]), *why))
+        rows.append((*about, *limits_with(one), int(not why[0]), *why))
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
@@ -139,4 +140,7 @@ def cases_of(case, path=None):
 
 def limits_by_part(table):
     """`Limits` by part of a table of `chosen`."""
-    return {row.part: Limits(row.d0_m, row.d_slv_m, row.d_slc_m) for row in table.itertuples()}
+    return {
+        row.part: Limits(row.d0_m, row.d_slv_m, row.d_slc_m, row.d_slv_bare_m)
+        for row in table.itertuples()
+    }

@@ -28,10 +28,10 @@ from typing import NamedTuple
 from studies.assess import anchors, weakest
 from studies.assess.dynamic_check import FINE, ROUGH
 from studies.assess.family import Family
+from studies.assess.rods import row_of_rods
 from studies.assess.shaken import label
 from studies.assess.sites import LEAST_PART_M
 from studies.assess.slv import Slv, read_as
-from studies.assess.strengthening import row_of_rods
 from studies.assess.ties_built import built
 from studies.assess.ties_grown import LEAST_SHARE, MOST_SHARE, grown, lowered, with_force
 

@@ -3,7 +3,7 @@
 import math
 
 from studies.assess import anchors
-from studies.assess.strengthening import row_of_rods
+from studies.assess.rods import row_of_rods
 from studies.assess.ties_grown import BY_HAND, first_failing
 
 SAME_M = 1e-6  # heights

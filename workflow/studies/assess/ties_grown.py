@@ -7,11 +7,12 @@ Where a mechanism does not hold, rows that pull on it grow until it does, the ot
 import math
 from typing import NamedTuple
 
+from studies.assess.dynamic_check import ROUGH
 from studies.assess.ties_shaken import Failing, behind, forces_said
 
 LEAST_SHARE, MOST_SHARE = 1e-4, 2.0  # of the façade's weight, of one row
 STEP = 0.95  # of the force, between two strengths of the rows
-COARSE = 8  # steps at once, until the dynamic check holds
+COARSE = 8  # steps at once at most, until the dynamic check holds
 BY_HAND = Failing("", "", "", [])  # what fails are the checks by hand
 
 
@@ -69,10 +70,13 @@ def cheapest(shaken, rows, failing):
 
 
 def _of_these(shaken, rows, failing, own):
-    """All of some rows or one of them, by the least force in sum, and all rows then."""
-    alone = [(k,) for k in own]
+    """All of some rows or one of them, by the least force in sum, and all rows then.
+
+    What adds the least force a step is tried first: the others may then add no more than it did.
+    """
+    every = [*((k,) for k in own), *([tuple(own)] if len(own) > 1 else [])]
     which, found = (), rows
-    for some in [tuple(own), *alone] if len(alone) > 1 else alone:
+    for some in sorted(every, key=lambda some: _sum_n(rows[k] for k in some)):
         stronger = raised(shaken, rows, some, failing, _sum_n(found) if which else math.inf)
         which, found = (which, found) if stronger is None else (some, stronger)
     return which, found
@@ -99,8 +103,9 @@ def least_n(shaken):
 def raised(shaken, rows, which, failing, most_n=math.inf):
     """Rows of which some grew by steps of 1/0.95 until a mechanism holds; None if it never does.
 
-    In coarse steps up, then the steps between are halved: one step less does not hold. Rows whose
-    forces come to `most_n` in sum are not tried.
+    In coarse steps up, then the steps between are halved: one step less does not hold. Rows that
+    were found roughly before need few steps more: up by 1, 2, 4 and so on. Rows whose forces come
+    to `most_n` in sum are not tried.
     """
     heaviest_n = MOST_SHARE * shaken.tied.weight_n
     strongest_n = {k: min(heaviest_n, shaken.tied.most_n(rows[k].height_m)) for k in which}
@@ -117,7 +122,7 @@ def raised(shaken, rows, which, failing, most_n=math.inf):
         own = at(steps)
         return _sum_n(own) < most_n and all(own[k].force_n <= strongest_n[k] for k in which)
 
-    low, high = 0, COARSE
+    low, high = 0, COARSE if shaken.care == ROUGH else 1
     while True:
         while high > low and not allowed(high):
             high -= 1
@@ -125,7 +130,7 @@ def raised(shaken, rows, which, failing, most_n=math.inf):
             return None
         if shaken.holds(at(high), failing):
             break
-        low, high = high, high + COARSE
+        low, high = high, high + min(COARSE, 2 * (high - low))
     while high - low > 1:
         middle = (low + high) // 2
         low, high = (low, middle) if shaken.holds(at(middle), failing) else (middle, high)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from rocking.collapse.case import Variant
 
-from studies.assess.dynamic_check import FINE, decided, limits_of
+from studies.assess.dynamic_check import FINE, decided, limits_with
 from studies.assess.shaken import cases, chosen, heights, part_of
 from yade_scripts.model.part import LEVEL_M, NEAR_M
 
@@ -167,7 +167,7 @@ class Shaken:
         return json.dumps(part.sections, sort_keys=True), self.care  # model, façade and all
 
     def _decided(self, part, one, many=map, at_once=1):
-        own, limits = self.tied.sections, limits_of(one.mechanism)
+        own, limits = self.tied.sections, limits_with(one)
         count = own["assessment"]["dynamic_realisations"]
         given = part.sections, self.order, limits, count, own["seed"], self.care
         return decided(*given, many, at_once)

@@ -6,10 +6,10 @@ import pandas as pd
 from rocking.stations import FEWEST
 
 from studies.assess.dynamic_check import LEAST_DRAWS, surely
+from studies.assess.held import GOVERNS
 from studies.assess.shaken import CORNER, FAR, REFUSED, STOCKY
 from studies.assess.walls import named as wall_named
 
-GOVERNS = "W2m"  # the model that the rate rests on, where it is among a run's
 ROUNDED = 1e-4  # relative; tables have six figures
 SURE = 0.005  # of a probability that rounds to 0 or 100 %
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")

@@ -103,21 +103,15 @@ figure_by(
 )
 
 
-rule assumptions_stage:
-    input:
-        fit=rules.building_fit.output[0],
-        cbdem=of_run(rules.building_modal.output[0], building="CBDEM"),
-        sbdem=of_run(rules.building_modal.output[0], building="SBDEM"),
-    output:
-        results("assumptions/stage.json"),
-    script:
-        "scripts/assumptions_stage.py"
+def stage_of_building(wildcards):
+    """What a study that models the building knows of it; nothing where there is none."""
+    return OF_BUILDING["stage"](wildcards) if "stage" in OF_BUILDING else []
 
 
 rule assumptions_varied:
     input:
         case=rules.facade_case.output[0],
-        stage=rules.assumptions_stage.output[0],
+        stage=stage_of_building,
         record=rules.own_record.output.record,
         law=LAW_FILE,
     output:

@@ -19,22 +19,36 @@ CAPACITY = [f"pga_{name}_g" for name in MEASURES]
 SIDE = (*MEASURES, "mean")  # of models side by side, whose whole curve is known
 KEY = ["record", "direction"]
 BASE = "as configured"
+# of two-storey masonry, and a building that does not yield
+STRENGTHS = {"V/W 0.10": 0.10, "V/W 0.20": 0.20, "V/W 0.30": 0.30, "elastic": None}
 SPREAD = {"curves": "n_known", "low": 10, "median": 50, "high": 90}
 SPREAD |= {"share_unsafe": lambda found: found.share(low=1.0)}
+
+
+OF_BRICKS = (
+    ("headers", "sliding", {"w3.header_joint": "sliding"}),
+    ("headers", "bonded", {"w3.header_joint": "bonded"}),
+    ("headers", "bonded, cut bricks", {"w3.header_joint": "study"}),
+    ("inclined courses", "none", {"w3.lower_courses": 0}),
+    ("inclined courses", "lowest 9", {"w3.lower_courses": 9}),
+)
 
 
 def variants(case, stage, surrogate=None):
     """Every assumption of a driven case, W2 or W3, at another level; β is to be chosen anew.
 
-    `stage` are answers of the building stage: period_s, complete_period_s [s], mass_kg. `surrogate`
-    are keywords of `Motion.named`, None: the record has none. `about` says the assumption and its
-    level.
+    `stage` are answers of the building stage: period_s, complete_period_s [s], mass_kg; None: they
+    are not known, and levels that rest on them are left out. `surrogate` are keywords of
+    `Motion.named`, None: the record has none. `about` says the assumption and its level.
     """
     wall, bricks = case["return_wall"], not case.kind.single_block
     length = wall["length_m"] or 0.5 * case["facade"]["height_m"]
+    strength = case["smdof"]["base_shear_ratio"]
 
     def two_way(mass_kg):
-        return {"model": case.kind.two_way_model, "return_wall.building_mass_kg": mass_kg}
+        found = {"model": case.kind.two_way_model, "return_wall.building_mass_kg": mass_kg}
+        # bricks that carry the masses have an elastic building alone
+        return found | ({"smdof.base_shear_ratio": None} if bricks else {})
 
     def friction(degrees):
         sections = ("facade", "return_wall", *(["w3"] if bricks else []))
@@ -47,21 +61,15 @@ def variants(case, stage, surrogate=None):
         return {"return_wall.length_m": length / factor, **own}
 
     feel, walls = "return walls feel the façade", "motion of the walls"
-    rows = [
-        (feel, "building's mass", two_way(wall["building_mass_kg"] or stage["mass_kg"])),
+    mass_kg = wall["building_mass_kg"] or (stage["mass_kg"] if stage else None)
+    rows = [(feel, "building's mass", two_way(mass_kg))] if mass_kg else []
+    rows += [
         (feel, "51 t", two_way(51e3)),
         (feel, "97 t", two_way(97e3)),
         (walls, "storey's middle", {"return_wall.motion": "middle"}),
         (walls, "by height", {"return_wall.motion": "interpolated"}),
     ]
-    if bricks:
-        rows += [
-            ("headers", "sliding", {"w3.header_joint": "sliding"}),
-            ("headers", "bonded", {"w3.header_joint": "bonded"}),
-            ("headers", "bonded, cut bricks", {"w3.header_joint": "study"}),
-            ("inclined courses", "none", {"w3.lower_courses": 0}),
-            ("inclined courses", "lowest 9", {"w3.lower_courses": 9}),
-        ]
+    rows += OF_BRICKS if bricks else ()
     rows += [
         ("friction", "20°", friction(20.0)),
         ("friction", "40°", friction(40.0)),
@@ -70,8 +78,12 @@ def variants(case, stage, surrogate=None):
         ("base of the façade", "the elastic wall's", {"facade.base": "column"}),
         ("law of β", "eq. 5", {"damping.law": "eq5"}),
         ("law of β", "fitted", {"damping.law": "fitted"}),
-        ("T1", "building stage", {"smdof.period_s": stage["period_s"]}),
-        ("T1", "complete building", {"smdof.period_s": stage["complete_period_s"]}),
+        *_periods(stage),
+        *(
+            ("building's strength", named, {"smdof.base_shear_ratio": ratio})
+            for named, ratio in STRENGTHS.items()
+            if ratio != strength
+        ),
         ("building's damping", "2 %", {"smdof.damping_ratio": 0.02}),
         ("building's damping", "10 %", {"smdof.damping_ratio": 0.10}),
         ("width", "6 m", {"facade.width_m": 6.0}),
@@ -82,6 +94,14 @@ def variants(case, stage, surrogate=None):
         return changed
     made = {"surrogate": surrogate}
     return [*changed, Variant("surrogate", motion=made, about=_about("record", "surrogate"))]
+
+
+def _periods(stage):
+    """First periods that the building stage gives, as rows of `variants`."""
+    if stage is None:
+        return []
+    names = {"building stage": "period_s", "complete building": "complete_period_s"}
+    return [("T1", level, {"smdof.period_s": stage[key]}) for level, key in names.items()]
 
 
 def _about(assumption, level):

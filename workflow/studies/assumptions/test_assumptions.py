@@ -83,6 +83,23 @@ def test_every_variant_changes_the_scene_or_its_motion(model):
     assert two_way["return_wall"]["building_mass_kg"] == STAGE["mass_kg"]
 
 
+def test_the_strength_of_the_building_is_an_assumption_beside_the_configured_one():
+    """An elastic case is compared with V/W 0.10 to 0.30, one of 0.20 with the elastic one too."""
+    levels = {}
+    for ratio in (None, 0.20):
+        own = resolved(smdof={"base_shear_ratio": ratio})
+        case = Case({**own, "model": "W2", "beta_s": 0.00276})
+        found = [v for v in assumptions.variants(case, STAGE) if "strength" in v.name]
+        levels[ratio] = [v.about["level"] for v in found]
+        for variant in found:
+            varied = case.varied(variant)["smdof"]["base_shear_ratio"]
+            assert varied == assumptions.STRENGTHS[variant.about["level"]]
+    assert levels == {
+        None: ["V/W 0.10", "V/W 0.20", "V/W 0.30"],
+        0.20: ["V/W 0.10", "V/W 0.30", "elastic"],
+    }
+
+
 def test_every_pair_of_couplings_stands_once_and_then_each_over_the_reference():
     """W1 has no walls that move: its own counterpart is none."""
     pga_g = {"W1": 0.4, "W2": 0.2, "W2m": 0.3, "other": 0.1}

@@ -7,10 +7,11 @@ import numpy as np
 import pandas as pd
 import pytest
 from formula_cases import ROW
-from rocking import Case, Motion, estimate
+from rocking import Motion, estimate
 from rocking.formula import groups, law
 from rocking.shipped import shipped
 from scipy.special import ndtr
+from study_cases import study_case
 
 from smdof.spectra import response_spectrum
 from studies.atlas import fit, measures
@@ -45,7 +46,7 @@ def known():
 @pytest.fixture(scope="module")
 def case():
     with pytest.warns(UserWarning, match="eq. 5 was fitted"):
-        return Case.configured("W2m", COLUMN)
+        return study_case("W2m", COLUMN)
 
 
 def test_a_longer_design_begins_with_the_shorter_one():
@@ -189,8 +190,8 @@ def test_estimate_of_a_case_is_that_of_its_dimensions(case):
 
 
 def test_on_the_soft_base_it_takes_less(case):
-    soft = Case.configured("W2m", {**COLUMN, "facade.base": "study", "facade.thickness_m": 0.4})
-    hard = Case.configured("W2m", {**COLUMN, "facade.thickness_m": 0.4})
+    soft = study_case("W2m", {**COLUMN, "facade.base": "study", "facade.thickness_m": 0.4})
+    hard = study_case("W2m", {**COLUMN, "facade.thickness_m": 0.4})
     assert estimate(soft).median < estimate(hard).median
     assert estimate(soft).error > estimate(hard).error
 
@@ -210,7 +211,7 @@ def test_on_the_soft_base_it_takes_less(case):
 def test_outside_of_the_atlas_it_refuses_in_one_line(change, said_of):
     model = "W1" if "facade.sides" in change else "W2m"
     with pytest.raises(groups.OutsideError) as said:
-        estimate(Case.configured(model, {**COLUMN, **change}))
+        estimate(study_case(model, {**COLUMN, **change}))
     assert said_of in str(said.value)
     assert "\n" not in str(said.value)
 
@@ -228,14 +229,14 @@ def test_a_stack_of_courses_is_known_by_its_number_and_growth(known):
 def test_the_elastic_wall_in_courses_is_estimated(known, case):
     """Of four courses, growth 1.5: the block's median times a ratio, with both errors."""
     stack = {**COLUMN, "facade.base": "study", "facade.courses": 4, "facade.courses_growth": 1.5}
-    found, block = estimate(Case.configured("W2m", stack)), estimate(case)
+    found, block = estimate(study_case("W2m", stack)), estimate(case)
     part = known["bases"]["courses"]["W2m"]
     ratio = law.total(part, groups.terms(groups.dimensions(case)))
     assert math.log(found.median / block.median) == pytest.approx(ratio, abs=1e-9)
     assert found.error == pytest.approx(math.hypot(block.error, part["error"]))
     assert 0.9 < found.median / block.median < 1.1  # `column` was made to follow the elastic wall
     with pytest.raises(groups.OutsideError, match="courses = 7 of growth 1.5"):
-        estimate(Case.configured("W2m", {**stack, "facade.courses": 7}))
+        estimate(study_case("W2m", {**stack, "facade.courses": 7}))
 
 
 def test_the_ratio_of_two_bases_is_found_again():
@@ -269,11 +270,11 @@ def test_a_model_without_a_law_is_refused():
     with pytest.raises(TypeError, match="expected a rocking.Case, got int"):
         estimate(3)
     with pytest.raises(groups.OutsideError, match="model W1c"):
-        estimate(Case.configured("W1c", {"facade.base": "column"}))
+        estimate(study_case("W1c", {"facade.base": "column"}))
 
 
 def test_w1_does_not_ask_for_the_building():
-    case = Case.configured("W1", {"facade.base": "column", "smdof.period_s": 3.0})
+    case = study_case("W1", {"facade.base": "column", "smdof.period_s": 3.0})
     assert estimate(case).median > 0.0
 
 
@@ -284,7 +285,7 @@ def test_shipped_formula_is_the_one_of_the_shipped_atlas(known):
     settings["ranges"] = made["ranges"]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)
-        of = Case.configured("W2m", {**COLUMN, "facade.base": made["base"]})
+        of = study_case("W2m", {**COLUMN, "facade.base": made["base"]})
     design = atlas.described(of, atlas.design(settings))
     for model, parts in known["models"].items():
         values = fit.wide(table, design, model, atlas.OWN)

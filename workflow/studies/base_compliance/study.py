@@ -70,7 +70,7 @@ def variants():
 
 def static(facades=None):
     """Static curves λ(d) of `FACADES` or others: rigid, the column, twenty courses, either base."""
-    parts, usual = [], Case.configured("W1").facade
+    parts, usual = [], Case.configured("W1", {"facade.courses": 0}).facade
     for name, (h, b, density, e_mpa) in (facades or FACADES).items():
         gamma, ratio = column.compliance(h, b, density, 1e6 * e_mpa), b / h
         theta = np.arcsin(D_OVER_B * ratio)

@@ -3,9 +3,10 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import Case, Motion
+from rocking import Motion
 from rocking.collapse import curve as curves
 from rocking.records import Record
+from study_cases import study_case
 
 from studies.base_compliance import study
 
@@ -30,7 +31,7 @@ def test_collapse_under_a_pulse():
     """Half a sine outward: E/h falls far too early, the column's base and stacks are near."""
     t = 0.01 * np.arange(160)
     pulse = Record("pulse", -np.sin(2.0 * np.pi * t) * (t < 0.5), 0.01, source="file")
-    case = Case.configured("W1", SHORT)
+    case = study_case("W1", SHORT)
     table = study.of_wall("own", case, Motion(pulse), "pos").set_index("facade")
     assert list(table.index)[:3] == ["8 courses, 1.2", "study", "column"]
     assert table.loc["study", "ratio"] < 0.8
@@ -44,7 +45,7 @@ def test_collapse_under_a_pulse():
 
 def test_walls():
     """The case's own, and two others: Γ of 0.002 and 0.08, β of their own."""
-    found = dict(study.walls(Case.configured("W1")))
+    found = dict(study.walls(study_case("W1")))
     assert list(found) == [study.OWN, *study.SHAKEN]
     sizes = [found[name]["facade"] for name in study.SHAKEN]
     sizes = [[f[k] for k in ("height_m", "thickness_m", "density_kg_m3", "e_mpa")] for f in sizes]

@@ -74,7 +74,8 @@ def top_motion(
 
 def chain_top(ground_m_s2, dt_s, n_dof, period_s, damping_ratio):
     """Return time and absolute top acceleration of an equal chain."""
-    motion = smdof.floor_motions(ground_m_s2, dt_s, n_dof, period_s, damping_ratio)
+    chain = smdof.shear_chain(n_dof, period_s)
+    motion = smdof.floor_motions(ground_m_s2, dt_s, chain, damping_ratio)
     return motion.time_s, motion.floors_m_s2[-1]
 
 

@@ -3,13 +3,13 @@
 import itertools
 
 import numpy as np
-from rocking.building.case import build_model, read_plan, real_brick, real_joints, translation_mode
-from rocking.building.modes import Solver, largest_eigenvalue, per_mass, sparse_of
 from rocking.collapse.probability import collapse_ranges, from_scan
 from rocking.mechanics.beta import beta_for
 from scipy.optimize import brentq
 from scipy.signal import cont2discrete, dlsim
 
+from studies.building.case import build_model, read_plan, real_brick, real_joints, translation_mode
+from studies.building.modes import Solver, largest_eigenvalue, per_mass, sparse_of
 from studies.building.yade import complete
 from yade_scripts.commands.perturb import Realisation, perturbed_numerics
 from yade_scripts.commands.search import DIGITS

@@ -9,9 +9,9 @@ ground as if rigid, so the absolute acceleration keeps the whole of a_g.
 from dataclasses import dataclass
 
 import numpy as np
-from rocking.building.modes import DIRECTIONS
 
 from smdof.oscillator import checked_motion, oscillator_response, refine_linear
+from studies.building.modes import DIRECTIONS
 from yade_scripts.model.gravity import GRAVITY_M_S2
 
 # what acts from the first instant of an explicit run besides the ground motion [m/s²]: a run that

@@ -10,9 +10,9 @@ damping model.
 from dataclasses import dataclass, replace
 
 import numpy as np
-from rocking.building.case import translation_mode
 
 import smdof
+from studies.building.case import translation_mode
 
 from .comparison import N_DOF, top_motion
 
@@ -147,8 +147,9 @@ def errors(history, point, record, own_period_s, damping_ratio, reading):
     model = "rayleigh" if reading.rayleigh else "modal"
     out = {}
     for n in N_DOF:
+        equal = smdof.shear_chain(n, period)
         chain = smdof.floor_motions(
-            record.acceleration_m_s2, record.dt_s, n, period, damping_ratio, model
+            record.acceleration_m_s2, record.dt_s, equal, damping_ratio, model
         )
         motion = cut(chain.time_s, chain.floors_m_s2[-1], chain.ground_m_s2, window)
         out[n] = reference.wme(motion)

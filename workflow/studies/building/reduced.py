@@ -10,13 +10,13 @@ and moves in its plane, without turning about a vertical axis.
 from dataclasses import dataclass, replace
 
 import numpy as np
-from rocking.building.modes import Solver
 from rocking.collapse.scan import Scan
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, stable_step
 from rocking.solver.substructure import bodies
 from scipy.linalg import eigh
 
+from studies.building.modes import Solver
 from studies.building.yade.complete import apart
 from yade_scripts.model.floor_motions import GROUND
 

@@ -11,7 +11,7 @@ from rocking.mechanics.restitution import IMPACTS, TARGETS, e_exp, e_one_sided, 
 
 from yade_scripts.model.facade import joint_stiffness
 from yade_scripts.model.quadrature import gauss_lobatto
-from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
+from yade_scripts.model.scene import Block, Interface, NodeList, Scene, box_inertia
 from yade_scripts.model.stiffness import modes
 
 SECTIONS = ("facade", "return_wall", "smdof", "numerics")
@@ -51,8 +51,7 @@ def two_block_minimum(config):
             line,
             (0, 0, 1),
             weights * b * width,
-            jkn,
-            facade["shear_stiffness_ratio"] * jkn,
+            Interface(jkn, facade["shear_stiffness_ratio"] * jkn),
         )
     scene = Scene(blocks, nodes.joints, nodes.done(), "half 2", (0.0, 0.5 * b, h), "base", b)
     return 1.0 / float(modes(scene)[0][-1])
@@ -101,6 +100,7 @@ def batch_wall(settings, b, e_mpa, slenderness, ratio, **numerics):
         {
             "models": ["W1"],
             "facade": {
+                "courses": 0,
                 "height_m": float(f"{slenderness * b:.6g}"),
                 "thickness_m": b,
                 "width_m": 1.0,

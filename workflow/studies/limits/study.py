@@ -24,6 +24,7 @@ from rocking.collapse.case import Case
 from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
 from rocking.configuration.schema import ConfigError
+from rocking.configuration.study import as_in_the_study
 from rocking.reference.facade import answers
 from rocking.solver.runs import STEP_FRACTION
 
@@ -87,7 +88,7 @@ def shaped(record, dt_s=None, duration_s=None):
 def verdict_of(model, changes, record, direction):
     """What becomes of one cell: verdict, why, and the numbers behind it, the rest of COLUMNS."""
     try:
-        case = Case.configured(model, changes)
+        case = Case.configured(model, as_in_the_study(changes))
         given = "planar", case, Motion(record), direction
         own, half = run_by(*given), run_by(*given, fraction=0.5 * STEP_FRACTION)
     except (ConfigError, ValueError) as error:

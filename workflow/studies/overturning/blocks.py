@@ -16,7 +16,7 @@ from scipy.optimize import minimize
 from studies.overturning.geometry import STEEPEST_RAD, barrier
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
-from yade_scripts.model.scene import DOFS, Block, NodeList, Scene
+from yade_scripts.model.scene import DOFS, Block, Interface, NodeList, Scene
 from yade_scripts.model.stiffness import critical_step
 
 BLOCK, TABLE = "block", "table"
@@ -118,11 +118,13 @@ def scene(standing):
             place,
             (0.0, 0.0, 1.0),
             1.0,
-            standing.contact_n_m,
-            standing.contact_n_m,
-            beta_s=standing.beta_s,
-            friction_rad=standing.friction_rad,
-            gap_m=place[2],
+            Interface(
+                standing.contact_n_m,
+                standing.contact_n_m,
+                beta_s=standing.beta_s,
+                friction_rad=standing.friction_rad,
+                gap_m=place[2],
+            ),
         )
     return Scene(
         blocks,

@@ -1,13 +1,18 @@
 # What a roof's load and friction are worth: collapse PGA by planar scans, YADE's realisations on them.
 
 
-@with_planar_models("restraint")
-def roofed_models(resolved):
-    """The façade with the lightest roof, without friction."""
-    from studies.restraint.study import roof  # slow to load
+@cache
+def roofed_models(run):
+    """Models of a run with a planar counterpart; a façade that cannot have a roof ends in one line."""
+    from studies.restraint.additions import planar_models  # slow to load
+    from studies.restraint.study import roof
 
+    resolved = RUNS.settings[run]
     height, loads = resolved["facade"]["height_m"], resolved["restraint"]["loads_kn"]
-    return [roof(height, loads[0], 0.0)]
+    try:
+        return planar_models(resolved, [roof(height, loads[0], 0.0)])
+    except configuration.ConfigError as error:
+        stop(f"restraint: {error.detail}")
 
 
 rule restrain:

@@ -4,21 +4,21 @@ import numpy as np
 import pandas as pd
 import pytest
 from both_solvers import BETA_S, FEW
-from rocking.collapse.additions import planar_models
 from rocking.collapse.case import Case
 from rocking.collapse.motion import Motion
-from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
+from study_cases import study_settings
 from yade_process import resolved
 
 from studies.restraint import study as restraint
+from studies.restraint.additions import planar_models
 
 G = 9.80665
 
 
 def test_what_yade_confirms_of_a_roof():
     """Least and most friction of the largest load, below and above the band, within the scan."""
-    config = configuration.resolve({"facade": {"floors": [{"height_m": 3.0, "anchor_kn": 4.0}]}})
+    config = study_settings({"facade": {"floors": [{"height_m": 3.0, "anchor_kn": 4.0}]}})
     rows = [(20.0, 0.2, 4.0, 0.1, 0.2, 0.2, 0.3, 3.0), (60.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 3.0)]
     rows += [(60.0, 0.1, 6.0, 9.0, 9.0, 9.0, 9.0, 9.0), (60.0, 0.4, 24.0, 0.5, 1.0, 2, np.nan, 3)]
     names = ["load_kn", "friction", "capacity_kn", *restraint.INTENSITIES]
@@ -30,14 +30,14 @@ def test_what_yade_confirms_of_a_roof():
         facade, height = case["changes"]["facade"], case["about"]["height_m"]
         own, roof = facade["floors"]
         assert (own["anchor_kn"], roof["height_m"], roof["load_kn"]) == (4.0, height, 60)
-        assert configuration.resolve({"facade": facade})["facade"] == facade
+        assert study_settings({"facade": facade})["facade"] == facade
 
 
 def test_bonded_walls_alone_are_refused():
     """W3 has no planar counterpart among the models that the study shakes."""
     roofed = restraint.roof(6.48, 20.0, 0.0)
     with pytest.raises(ConfigError, match="models.*planar counterpart"):
-        planar_models(configuration.resolve({"models": ["W3"]}), [roofed])
+        planar_models(study_settings({"models": ["W3"]}), [roofed])
 
 
 @pytest.mark.slow

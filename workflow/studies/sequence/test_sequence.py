@@ -3,8 +3,9 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import Case, Motion, history
+from rocking import Motion, history
 from rocking.records import Record
+from study_cases import study_case
 
 from studies.sequence import study as sequence
 
@@ -22,7 +23,7 @@ def pulse():
 @pytest.fixture(scope="module")
 def tables(pulse):
     """Collapse after a first shock of a dry façade and of one with weak bonds."""
-    cases = [Case.configured("W1", {**SHORT, **WEAK}), Case.configured("W1c", {**SHORT, **WEAK})]
+    cases = [study_case("W1", {**SHORT, **WEAK}), study_case("W1c", {**SHORT, **WEAK})]
     return {c.model: sequence.collapse(c, pulse, "pos", pulse, SETTINGS) for c in cases}
 
 
@@ -59,7 +60,7 @@ def test_a_façade_that_the_first_shock_overturns_is_not_asked_for_a_second(tabl
 
 def test_a_first_shock_at_the_brink_fells_some_realisations(pulse):
     """Where the default history just stands, other nodes and steps fall: no second is asked for."""
-    case = Case.configured("W1", SHORT)
+    case = study_case("W1", SHORT)
     low, high = 0.2, 0.6
     while high - low > 1e-4 * low:
         middle = 0.5 * (low + high)
@@ -86,7 +87,7 @@ def test_yade_confirms_both_sides_of_the_second_collapse(pulse, tables, tmp_path
     """Damaged and undamaged: YADE stands below the planar solver's collapse and falls above it."""
     from rocking.collapse.yade import YadeRuns
 
-    case = Case.configured("W1c", {**SHORT, **WEAK})
+    case = study_case("W1c", {**SHORT, **WEAK})
     cases = sequence.to_confirm(case, pulse, tables["W1c"], pulse, SETTINGS)["cases"]
     assert [c.get("before", {}).get("pga_g", 0.0) for c in cases] == [0.0, 0.2]
     for one in cases:

@@ -16,8 +16,9 @@ from rocking.collapse.motion import Motion
 from rocking.collapse.ratios import Ratios, spread
 from rocking.collapse.varied import collapses, intensities
 from rocking.records import RecordError, load, measures
-from rocking.records.pulses import pulse_spec
 from rocking.records.surrogate import generate
+
+from studies.surrogates.pulses import pulse_spec
 
 HALVES = ("choosing", "reporting")
 WHAT = ["kind", "pulses", "pulses_kept", "draw"]

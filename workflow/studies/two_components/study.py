@@ -8,7 +8,6 @@ import math
 
 import numpy as np
 import pandas as pd
-from rocking.collapse import search
 from rocking.collapse.case import Case
 from rocking.collapse.ratios import spread
 from rocking.collapse.scan import driving
@@ -17,6 +16,7 @@ from rocking.collapse.yade import YadeRuns
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import STEP_FRACTION, peaks, stable_step
 
+from studies.two_components.neighbour import neighbour
 from yade_scripts.commands.perturb import NODE_KEYS
 from yade_scripts.commands.search import drive
 from yade_scripts.model import floor_motions, models
@@ -85,7 +85,7 @@ class Comparison:
 
         `outcomes` says the status of amplitudes, of which it is asked for `block` at once.
         """
-        strategy = search.neighbour(self.level, self.max_g, first, block)
+        strategy = neighbour(self.level, self.max_g, first, block)
         return drive(strategy, lambda ask: outcomes(ask.pga_g))
 
     def compare(self):

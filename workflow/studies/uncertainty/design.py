@@ -61,6 +61,12 @@ def sampled_motions(runs, run):
     """
     resolved = runs.settings[run]
     own = resolved["uncertainty"]
+    drawn = [row["parameter"] for row in own["parameters"]]
+    if "base_shear_ratio" in drawn and resolved["smdof"]["base_shear_ratio"] is None:
+        raise ValueError(
+            "uncertainty.parameters: base_shear_ratio of a building that stays elastic; expected "
+            "smdof.base_shear_ratio, the V/W that is multiplied"
+        )
     sampling.scores(own)
     longest = own["max_duration_s"]
     short = [name for name in runs.records[run] if _duration_s(runs, run, name) <= longest]

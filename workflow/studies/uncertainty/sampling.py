@@ -15,6 +15,7 @@ PLACES = {  # dotted key of a case, for parameters that are one value of it
     "thickness_m": "facade.thickness_m",
     "period_s": "smdof.period_s",
     "damping_ratio": "smdof.damping_ratio",
+    "base_shear_ratio": "smdof.base_shear_ratio",
 }
 
 

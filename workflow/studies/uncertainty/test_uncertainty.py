@@ -3,6 +3,7 @@
 import csv
 import json
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pandas as pd
@@ -10,10 +11,11 @@ import pytest
 from rocking import Case
 from rocking.collapse.case import LAW_FILE
 from rocking.collapse.scan import Screen
-from rocking.configuration.config import ConfigError, resolve
+from rocking.configuration.config import ConfigError
 from rocking.mechanics.beta import beta_for
 from rocking.risk import fragility
 from rocking.runs import Runs
+from study_cases import study_settings
 from yade_process import resolved, run_study
 
 from studies.uncertainty import design, parts, sampling
@@ -158,6 +160,16 @@ def test_a_varied_scene_has_what_the_factors_say():
     assert new["beta_s"] == pytest.approx(0.006)
     assert job["return_wall"]["length_m"] is None
     assert drawn(job, {"period_s": 1.1})["smdof"]["period_s"] == pytest.approx(0.297)
+    weak = {**job, "smdof": {**job["smdof"], "base_shear_ratio": 0.2}}
+    assert drawn(weak, {"base_shear_ratio": 0.5})["smdof"]["base_shear_ratio"] == 0.1
+
+
+def test_the_strength_of_an_elastic_building_is_not_drawn():
+    one = {**PARAMETERS[0], "parameter": "base_shear_ratio"}
+    settings = resolved(uncertainty={"parameters": [one]})
+    runs = SimpleNamespace(settings={"main": settings}, records={"main": []}, tables={})
+    with pytest.raises(ValueError, match="base_shear_ratio of a building that stays elastic"):
+        sampled_motions(runs, "main")
 
 
 def test_each_base_is_a_form_of_its_own():
@@ -176,7 +188,9 @@ def test_each_base_is_a_form_of_its_own():
     area = own["facade"]["thickness_m"] * own["facade"]["width_m"]
     assert kn == pytest.approx(2.8 * 2.0 * joint_stiffness(own.sections)[0] * area)
     with pytest.raises(ConfigError, match=r"uncertainty\.bases = column: expected study with"):
-        resolve({"uncertainty": {"bases": ["column"]}, "facade": {"base_stiffness_pa_m": 1e9}})
+        study_settings(
+            {"uncertainty": {"bases": ["column"]}, "facade": {"base_stiffness_pa_m": 1e9}}
+        )
 
 
 def test_motions_are_drawn_by_the_seed():

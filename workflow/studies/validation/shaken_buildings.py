@@ -14,6 +14,7 @@ from pathlib import Path
 
 from rocking import Case, estimate
 from rocking.configuration.config import ConfigError
+from rocking.configuration.study import as_in_the_study
 from rocking.tables import read_frame
 
 COLUMNS = (
@@ -49,13 +50,15 @@ def predict(runs):
     for row in runs.to_dict("records"):
         case = Case.configured(
             row["model"],
-            {
-                "facade.height_m": float(row["height_m"]),
-                "facade.thickness_m": float(row["thickness_m"]),
-                "smdof.period_s": float(row["first_period_s"]),
-                "facade.base": "column",
-                "return_wall.building_mass_kg": float(row["building_mass_kg"]),
-            },
+            as_in_the_study(
+                {
+                    "facade.height_m": float(row["height_m"]),
+                    "facade.thickness_m": float(row["thickness_m"]),
+                    "smdof.period_s": float(row["first_period_s"]),
+                    "facade.base": "column",
+                    "return_wall.building_mass_kg": float(row["building_mass_kg"]),
+                }
+            ),
         )
         found = estimate(case)
         medians.append(found.median)

@@ -8,6 +8,7 @@ import copy
 import math
 
 from rocking.configuration.config import ConfigError, resolve
+from rocking.configuration.study import as_in_the_study
 
 SECTIONS = ("facade", "return_wall", "smdof", "numerics")
 E_KEY = "facade.e_mpa"
@@ -32,7 +33,7 @@ def case(specimen, changes=(), height_m=None):
             row[key] = value
     if height_m is not None:
         given["facade"]["height_m"] = height_m
-    resolved = resolve({**given, "models": ["W1"]})
+    resolved = resolve({**as_in_the_study(given), "models": ["W1"]})
     found = {key: resolved[key] for key in SECTIONS}
     facade = found["facade"]
     if facade["hinges_m"] == "weakest":

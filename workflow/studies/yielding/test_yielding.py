@@ -3,7 +3,8 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import Case, Motion
+from rocking import Motion
+from study_cases import study_case
 
 from studies.yielding import study
 
@@ -42,6 +43,7 @@ def test_losses_are_geometric_means_over_the_same_curve():
     assert found.loc["bilinear", "loss"] == pytest.approx(1.0 - np.sqrt(0.5))
     assert found.loc["bilinear", "over_elastic"] == pytest.approx(2.0 ** (1.0 / 3.0))
     assert found["censored"].tolist() == [1, 1]
+    assert found["own_period"].tolist() == [1, 1]
     assert found["loss_low"].isna().all()  # of three stations there is no interval
 
 
@@ -57,21 +59,29 @@ def test_intervals_draw_stations():
     assert found["building_first"] == 0.5
 
 
+def test_other_periods_than_w1s_are_of_the_map():
+    table = table_of({("W1", np.nan, "elastic"): [0.4], ("W2", 0.2, "bilinear"): [0.2]})
+    slow = table[table["model"] == "W2"].assign(period_s=0.6)
+    found = study.summary(pd.concat([table, slow])).set_index("period_s")
+    assert found["own_period"].to_dict() == {0.27: 1, 0.6: 0}
+    assert found.loc[0.6, "loss"] == found.loc[0.27, "loss"]
+
+
 def test_other_periods_take_the_first_loops():
-    case = Case.configured("W2")
+    case = study_case("W2")
     settings = {**SETTINGS, "base_shear_ratios": [0.1, 0.2], "loops": ["flag", "bilinear"]}
     found = study.variants(case, {**settings, "periods_s": [0.15]}, "here")
     alike = [(v.about["period_s"], v.about["loops"]) for v in found]
     assert alike.count((0.15, "flag")) == 2
     assert alike.count((0.15, "bilinear")) == 0
     assert alike.count((0.27, "bilinear")) == 2
-    walls = study.variants(Case.configured("W1"), settings, "here")
+    walls = study.variants(study_case("W1"), settings, "here")
     assert [v.about["loops"] for v in walls] == ["elastic"]
 
 
 @pytest.mark.slow
 def test_a_strong_building_loses_what_the_elastic_one_does():
-    table = study.collapse(Case.configured("W2"), Motion.named("RRS228"), "neg", SETTINGS, "here")
+    table = study.collapse(study_case("W2"), Motion.named("RRS228"), "neg", SETTINGS, "here")
     elastic, strong = table.to_dict("records")
     for name in ("pga_equivalent_g", "pga_collapse_g", "runs_planar"):
         assert strong[name] == elastic[name]

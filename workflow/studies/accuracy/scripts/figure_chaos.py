@@ -4,12 +4,12 @@ What stood lies at its d/b, what fell at 1. The collapse probability runs over t
 that of the dense scan, where there is one, and YADE's share at each level.
 """
 
-from rocking.collapse.ensemble import bands
 from rocking.collapse.ida import by_curve
 from rocking.collapse.probability import first_crossing, from_scan
 from rocking.figures import style
 from rocking.figures.panels import common_legend, panels
 from rocking.runtime.script import run
+from studies.accuracy.ensemble import bands
 
 from yade_scripts.model.registry import MODELS
 

@@ -21,7 +21,7 @@ import numpy as np
 
 from yade_scripts.commands import command, shaking
 from yade_scripts.commands.tables import KEY, to_csv
-from yade_scripts.engine import adapter, loop, polyhedra
+from yade_scripts.engine import adapter, loop, polyhedra, simulate
 from yade_scripts.files import read_case, read_json, write_atomic
 from yade_scripts.model import facade, floor_motions, registry
 from yade_scripts.model.models import with_nodes
@@ -105,8 +105,9 @@ def run_case(case, time_s, columns, spec):
             motion = shaken.motions[floor_motions.GROUND]
             return polyhedra.run(scene, motion, shaken.step_s), ratio
     history = shaken.run(
-        full_rotation=method == "full 3D",
-        compensate_lag=method != "lag not compensated",
+        simulate.Making(
+            full_rotation=method == "full 3D", compensate_lag=method != "lag not compensated"
+        ),
         setup=drive_from_python(shaken.motions) if method == "python drive" else None,
     )
     return history, ratio

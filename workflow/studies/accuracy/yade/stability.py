@@ -20,7 +20,7 @@ from yade_scripts.engine import adapter, loop
 from yade_scripts.files import read_case, write_atomic
 from yade_scripts.model import facade, floor_motions
 from yade_scripts.model.quadrature import gauss_lobatto
-from yade_scripts.model.scene import DOFS, Block, NodeList, Scene, box_inertia
+from yade_scripts.model.scene import DOFS, Block, Interface, NodeList, Scene, box_inertia
 from yade_scripts.model.stiffness import assemble, critical_step
 
 COLUMNS = {
@@ -86,10 +86,7 @@ def stack_scene(count, beta_s, jkn_pa_m=1e9):
             line,
             (0, 0, 1),
             weights * lx * ly,
-            jkn_pa_m,
-            0.33 * jkn_pa_m,
-            beta_s=beta_s,
-            friction_rad=math.radians(60),
+            Interface(jkn_pa_m, 0.33 * jkn_pa_m, beta_s=beta_s, friction_rad=math.radians(60)),
         )
     return Scene(
         blocks,

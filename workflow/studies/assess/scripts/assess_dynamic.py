@@ -12,6 +12,7 @@ from rocking.risk.hazard import read_hazard
 from rocking.risk.rates import probability_within
 from rocking.runtime.script import run
 from rocking.tables import read_frame, read_tables, together, write_table
+from studies.assess import building_first
 from studies.assess.dynamic_answer import CURVES, LEFT_OUT, RATES, answer, left_out, weakest
 from studies.assess.site import hazards_of
 from studies.assess.sites import WHOLE_PART
@@ -41,6 +42,9 @@ def main(job):
     write_table(parts, job.output.parts)
     table = read_frame(job.input.shaken)
     write_table(left_out(pd.DataFrame(parts), table, hazards), job.output.left_out, LEFT_OUT)
+    least = pd.concat([weakest(rows) for _, rows in every.groupby("model", sort=False)])
+    first = building_first.answers(whole, least, p.stations, demand_g, p.resamples, p.seed)
+    write_table(first, job.output.first, building_first.COLUMNS)
 
 
 run(main, globals())

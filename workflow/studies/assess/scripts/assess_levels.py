@@ -17,7 +17,7 @@ from studies.assess.checks import LEAST_KNOWN
 from studies.assess.code_checks import code_checks, least
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.comparison import CHECKED_AG_G, SITE
-from studies.assess.dynamic_check import histories, limits_of, verdict
+from studies.assess.dynamic_check import histories, limits_with, verdict
 from studies.assess.family import Family
 from studies.assess.shaken import cases, settled
 from studies.assess.sites import site_of
@@ -71,7 +71,7 @@ def main(job):
             found = histories(case.sections, turns, LONG_STEP)
             tables = [one.assign(ag_g=ag_g) for one, ag_g in zip(found, at_g, strict=True)]
             table = pd.concat(tables, ignore_index=True)
-            limits = limits_of(mechanisms[about.part].mechanism)
+            limits = limits_with(mechanisms[about.part])
             for row in known[about.part]:
                 found = verdict(table[table["ag_g"] == row["ag_g"]], limits, settings["seed"])
                 said = {key: found[key] for key in KEPT} | {"dynamic": int(found["slv"])}

@@ -12,7 +12,7 @@ from rocking import Case, Motion
 from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.tables import read_frame, write_table
-from studies.assess import selection, site, ties, ties_shaken, ties_tables
+from studies.assess import selection, site, ties, ties_shaken, ties_share, ties_tables
 from studies.assess.anchors import completed_settings
 from studies.assess.shaken import settled
 from studies.assess.verdict import relied_on
@@ -39,9 +39,10 @@ def _added(job, many, at_once):
     tied, longest_s = ties.Tied(settings, demand), selection.longest_period(settings, demand)
     chosen = read_frame(job.input.motions)
     motions = [(Motion(records[row.record]), row.pga_g) for row in chosen.itertuples()]
-    shaken, relied = None, ""
-    if motions:
+    shaken, relied, cases = None, "", []
+    if motions or own["tie_share"]:
         cases = [settled(Case.read(path), own) for path in job.input.cases]
+    if motions:
         relied = relied_on([case.model for case in cases])
         cases.sort(key=lambda case: case.model != relied)
         shaken = ties_shaken.Shaken(cases, tied, motions, settings["directions"], many, at_once)
@@ -55,7 +56,13 @@ def _added(job, many, at_once):
     write_table(ties_tables.of_models(found), job.output.models, ties_tables.MODELS)
     write_table(ties_tables.after(tied, found, shaken), job.output.after, ties_tables.AFTER)
     write_table(shaken.rows if shaken else [], job.output.tried, ties_shaken.TRIED)
-    rows = [*settings["facade"]["ties"], *tied.entries(found.built)]
+    entries = tied.entries(found.built)
+    share = []
+    if own["tie_share"]:
+        every = [(Motion(one), way) for one in records.values() for way in settings["directions"]]
+        share = ties_share.shares(cases, entries, every, demand.pga_g)
+    write_table(share, job.output.share, ties_share.COLUMNS)
+    rows = [*settings["facade"]["ties"], *entries]
     rows = [{k: float(v) if isinstance(v, float) else v for k, v in r.items()} for r in rows]
     given = {"run": f"{job.params.run}_tied", "facade": {"ties": rows}}
     if motions:  # a tied façade's own longest period would choose others

@@ -3,7 +3,6 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.configuration import config as configuration
 from rocking.records import Record
 from rocking.risk.hazard import Hazard
 from studies.assess import inputs
@@ -11,6 +10,7 @@ from studies.assess.demand import RecordDemand, floor_demand
 from studies.assess.floor_spectra import formula_and_exact, spread
 from studies.assess.site import SpectrumError, at_pga, pga_at, read_spectrum, shapes
 from studies.assess.values import values
+from study_cases import study_settings
 
 CHAIN = {
     "n_dof": 3,
@@ -142,7 +142,7 @@ def test_rods_of_ties_that_are_there_are_stated():
 def test_rows_of_a_list_are_marked_key_by_key():
     floors = [{"height_m": 3.0, "load_kn": 20.0}]
     given = STATED | {"facade": STATED["facade"] | {"floors": floors}}
-    resolved = configuration.resolve(given)
+    resolved = study_settings(given)
     stated = inputs.every_value(given)
     found = {key: rest for key, *rest in values(resolved, stated)}
     assert found["facade.floors.1.load_kn"] == ["20", "stated"]
@@ -155,7 +155,7 @@ def test_every_value_is_marked_and_β_says_where_its_law_ends():
     given = STATED | {"facade": STATED["facade"] | {"parapet_height_m": 0.9}}
 
     def row(damping, key):
-        resolved = configuration.resolve(given | {"damping": damping})
+        resolved = study_settings(given | {"damping": damping})
         found = {name: rest for name, *rest in values(resolved, ["facade.height_m"])}
         assert {standing for _, standing in found.values()} == {"stated", "derived", "default"}
         return found[key]
@@ -179,7 +179,7 @@ def test_every_value_is_marked_and_β_says_where_its_law_ends():
 )
 def test_a_missing_demand_is_refused_in_one_line(more, words):
     inputs.check_stated(STATED | more)
-    resolved = configuration.resolve(STATED | more)
+    resolved = study_settings(STATED | more)
 
     def check():
         files = inputs.spectrum_file(resolved, str), inputs.hazard_file(resolved, str)
@@ -201,7 +201,7 @@ def test_the_shape_at_a_hazards_pga_is_the_middle_one():
 
 def test_a_part_is_not_assessed_by_itself():
     """Its own checks would take the whole façade's mechanisms."""
-    resolved = configuration.resolve({"part": {"foot_m": 2.0}})
+    resolved = study_settings({"part": {"foot_m": 2.0}})
     with pytest.raises(ValueError, match="assess: part: expected none"):
         inputs.check_mechanisms(resolved)
 

@@ -5,9 +5,9 @@ import math
 
 import pandas as pd
 import pytest
-from rocking.configuration import config as configuration
 from studies.assess import appendix, byhand
 from studies.assess.family import Family
+from study_cases import study_settings
 
 FACADE = {
     "height_m": 8.0,
@@ -20,7 +20,7 @@ FACADE = {
     "floors": [{"height_m": 3.0, "load_kn": 20, "anchor_kn": 8}, {"height_m": 8.0, "load_kn": 12}],
     "ties": [{"height_m": 6.0, "diameter_mm": 12.0, "slack_mm": 0.0}],
 }
-CONFIG = configuration.resolve({"facade": FACADE, "assessment": {"interlocking_course_m": None}})
+CONFIG = study_settings({"facade": FACADE, "assessment": {"interlocking_course_m": None}})
 FAMILY = Family(CONFIG)
 PLANE = {one.name: one for one in FAMILY.all() if one.plane}
 

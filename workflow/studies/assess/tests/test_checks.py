@@ -4,13 +4,13 @@ import math
 
 import numpy as np
 import pytest
-from rocking.configuration import config
 from rocking.mechanics.blocks import PlainFacade, courses, interlocking, overturning, two_blocks
 from rocking.mechanics.closed_forms import Interlocked, block
 from scipy.optimize import brentq
 from studies.assess import checks
 from studies.assess.demand import RecordDemand, TableDemand, floor_demand
 from studies.assess.family import pulls_of
+from study_cases import study_settings
 
 WALL = overturning(PlainFacade(6.0, 0.6, 100e3))
 SPECTRUM = TableDemand(np.array([0.0, 0.2, 0.5, 3.0]), np.array([0.2, 0.5, 0.5, 0.05]))
@@ -248,7 +248,7 @@ def test_rows_of_ties_enter_the_mechanism_with_their_capacity():
     """Two rods of 16 mm at 235 MPa: 94.5 kN at 5 m on 100 kN: (100·0.3 + 94.5·5)/300 = 1.675."""
     row = {"height_m": 5.0, "count": 2, "diameter_mm": 16.0, "length_m": 4.0, "e_mpa": 2e5}
     row |= {"yield_mpa": 235.0, "elongation": 0.05}
-    facade = config.resolve({"facade": {"height_m": 6.0, "ties": [row]}})["facade"]
+    facade = study_settings({"facade": {"height_m": 6.0, "ties": [row]}})["facade"]
     ((force, height, reach, fades, _),) = pulls_of(facade)
     three(force, 94.50e3)
     assert (height, reach, fades) == (5.0, pytest.approx(0.2), False)

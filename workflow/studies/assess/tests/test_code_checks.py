@@ -2,14 +2,14 @@
 
 import numpy as np
 import pytest
-from rocking.configuration import config
 from rocking.records import Record
 from studies.assess.checks import LEAST_KNOWN
 from studies.assess.code_checks import CHECKS, code_checks, failing_pga, governing, least
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.family import Family
+from study_cases import study_settings
 
-CONFIG = config.resolve(
+CONFIG = study_settings(
     {
         "facade": {"height_m": 6.0, "thickness_m": 0.5, "width_m": 5.0, "gable_height_m": 2.0},
         "smdof": {"n_dof": 3, "period_s": 0.8},

@@ -5,16 +5,16 @@ from types import SimpleNamespace
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.configuration import config
 from studies.assess import floor_spectra, ties, ties_shaken, ties_tables
 from studies.assess.code_spectrum import CodeDemand
+from study_cases import study_settings
 
 FACADE = {"height_m": 6.0, "thickness_m": 0.4, "width_m": 5.0, "density_kg_m3": 1800.0}
 
 
 def test_what_a_mechanism_fails_at_over_the_demand_with_and_without_rows():
     demand = CodeDemand(0.26, 2.4, 0.32, "B")
-    tied = ties.Tied(config.resolve({"facade": FACADE}), demand)
+    tied = ties.Tied(study_settings({"facade": FACADE}), demand)
     rows = [ties.TieRow(6.0, 20e3)]
     least_g = []
     for added in ([], rows):

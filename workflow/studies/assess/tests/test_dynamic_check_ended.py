@@ -84,6 +84,9 @@ def test_turns_side_by_side_decide_as_one_after_another(monkeypatch, falls):
         beside = dynamic_check.decided({}, turns, limits, 0, 1, ROUGH, pool.map, 2)
     assert beside == alone
     assert alone[1] == (None if falls is None else turns[falls])
-    width, last = dynamic_check.VECTOR, 19 if falls is None else falls
-    counts = [min(20, one * (last // one + 1)) for one in (width, 2 * width)]
+    first, then, last = dynamic_check.VECTOR, dynamic_check.THEN, 19 if falls is None else falls
+    counts = [
+        min(20, n * (first + then * max(0, -(-(last + 1 - n * first) // (n * then)))))
+        for n in (1, 2)
+    ]
     assert sorted(asked) == sorted(n for count in counts for n in range(count))

@@ -10,6 +10,7 @@ import pytest
 from rocking import version
 from rocking.configuration import config as configuration
 from studies.assess import evidence
+from study_cases import study_settings
 
 
 def files(tmp_path, text):
@@ -160,11 +161,11 @@ def test_evidence_that_breaks_off_leaves_nothing(tmp_path, monkeypatch):
 
 def test_a_name_that_gets_other_settings_is_told_in_one_line(tmp_path):
     path = tmp_path / "config.yaml"
-    one = configuration.resolve({"run": "house", "facade": {"height_m": 6.0}})
+    one = study_settings({"run": "house", "facade": {"height_m": 6.0}})
     assert configuration.changed(one, path) == ""
     configuration.write_resolved(one, path, ["By somebody."])
     assert configuration.changed(one, path) == ""
-    two = configuration.resolve({"run": "house", "facade": {"height_m": 7.5}, "seed": 9})
+    two = study_settings({"run": "house", "facade": {"height_m": 7.5}, "seed": 9})
     said = configuration.changed(two, path)
     assert "run house gets other settings than its results have" in said
     assert "facade.height_m 6.0 → 7.5" in said

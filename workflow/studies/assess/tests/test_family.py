@@ -4,13 +4,13 @@ import math
 
 import numpy as np
 import pytest
-from rocking.configuration import config
 from rocking.mechanics.blocks import PlainFacade, overturning, two_blocks
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from studies.assess import weakest
 from studies.assess.drawn_bodies import _corner
 from studies.assess.family import Family, stretched
 from studies.assess.masonry import Masonry
+from study_cases import study_settings
 
 from yade_scripts.model.shape import shape_of
 
@@ -29,13 +29,13 @@ GABLE = {
 
 
 def family(facade, added_n=0.0, **own):
-    resolved = config.resolve({"facade": facade, "assessment": own})
+    resolved = study_settings({"facade": facade, "assessment": own})
     return Family(resolved, added_n)
 
 
 def test_masses_have_the_shapes_weight_centroid_and_second_moment():
     """Against the sums over boxes and prism that scenes take, whose inertia is exact."""
-    section = config.resolve({"facade": GABLE})["facade"]
+    section = study_settings({"facade": GABLE})["facade"]
     shape = shape_of(section)
     masses = np.array(Masonry(section).masses(0.0, shape.top_m))
     weight = masses[:, 0].sum()
@@ -172,7 +172,7 @@ def test_a_façade_is_stretched_with_all_that_stands_on_it():
         **{k: v for k, v in GABLE.items() if k != "thickness_steps"},
         "floors": [{"height_m": z, "load_kn": 20.0, "friction": 0.0} for z in (3.0, 6.0)],
     }
-    section = config.resolve({"facade": tied})["facade"]
+    section = study_settings({"facade": tied})["facade"]
     high = stretched(section, 1.1)
     assert [row["height_m"] for row in high["floors"]] == pytest.approx([3.3, 6.6])
     plain, tall = (
@@ -191,7 +191,7 @@ def test_a_corner_by_hand():
     """
     t, h = 0.5, 6.0
     plain = {"height_m": h, "thickness_m": t, "width_m": 14.0, "density_kg_m3": 1800.0}
-    resolved = config.resolve(
+    resolved = study_settings(
         {
             "facade": plain,
             "return_wall": {"thickness_m": t},
@@ -216,7 +216,7 @@ def test_a_corner_beside_openings_and_a_setback_by_fine_strips():
     """α0 of 6300 strips, from whose lengths the openings are taken."""
     holes = [(-1.8, 0.0, 1.4, 2.4), (1.6, 0.9, 1.2, 1.5), (0.4, 4.1, 1.0, 1.3)]
     names = ("x_m", "z_m", "width_m", "height_m")
-    resolved = config.resolve(
+    resolved = study_settings(
         {
             "facade": {
                 "height_m": 6.3,

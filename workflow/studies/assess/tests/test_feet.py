@@ -5,8 +5,6 @@ import math
 import numpy as np
 import pytest
 from drawn_facades import several
-from rocking import Case
-from rocking.configuration import config
 from rocking.mechanics.blocks import Held, PlainFacade, overturning
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from studies.assess.code_checks import governing
@@ -14,6 +12,7 @@ from studies.assess.code_spectrum import CodeDemand
 from studies.assess.family import Family
 from studies.assess.sites import LEAST_PART_M
 from studies.assess.slv import Slv
+from study_cases import study_case, study_settings
 from weakest_cases import dense_mechanisms, least_by_kind
 
 from yade_scripts.model.base import course_tops
@@ -24,7 +23,7 @@ DEMAND = CodeDemand(0.22, 2.45, 0.32, "C")
 
 def settings(facade, **others):
     own = {"smdof": {"n_dof": 3, "period_s": 0.3}, **others}
-    return config.resolve({"facade": {**WALL, **facade}, **own})
+    return study_settings({"facade": {**WALL, **facade}, **own})
 
 
 def tie(height_m, **row):
@@ -78,7 +77,7 @@ def test_two_rows_a_tie_at_the_eaves_a_setback_and_an_anchored_floor():
 def test_squat_parts_under_a_row_at_the_top_are_looked_at_where_the_list_ends():
     """The row's lever goes with the part's height: of them the lowest fails first, at the end."""
     drawn = several(39, 64)[38]
-    resolved, own = config.resolve(drawn), drawn["assessment"]
+    resolved, own = study_settings(drawn), drawn["assessment"]
     demand = CodeDemand(own["ag_g"], own["f0"], own["tc_star_s"], own["soil"])
     family = Family(resolved, slv=Slv(resolved, demand))
     found = [site for site in family.sites() if site.held_m is None and not site.side]
@@ -123,7 +122,7 @@ def test_nothing_is_weaker_than_what_is_listed(k):
     every 5 and 10 cm of many.
     """
     given = several(3, 7)[k]
-    resolved = config.resolve(given)
+    resolved = study_settings(given)
     own = resolved["assessment"]
     demand = CodeDemand(own["ag_g"], own["f0"], own["tc_star_s"], own["soil"])
     slv = Slv(resolved, demand)
@@ -198,7 +197,7 @@ def test_a_facade_of_courses_is_one_body_by_hand_and_stacks_of_its_own_when_shak
     assert [one.name for one in of_stack] == [one.name for one in of_block]
     for one, other in zip(of_block, of_stack, strict=True):
         assert one.mechanism.multiplier() == pytest.approx(other.mechanism.multiplier(), rel=1e-12)
-    case = Case.configured("W2m", settings(stack))
+    case = study_case("W2m", settings(stack))
     seen = set()
     for one in of_stack:
         if not one.plane or one.name.endswith("(sill of an opening)"):

@@ -3,17 +3,17 @@
 from types import SimpleNamespace
 
 import pandas as pd
-from rocking import Case, estimate
-from rocking.configuration import config
+from rocking import estimate
 from rocking.formula import words
 from studies.assess import report
+from study_cases import study_case, study_settings
 
 PARTS = ("whole", "above_2.000")
 
 
 def test_the_report_names_a_median_far_from_the_formula_once():
-    own = config.resolve({"models": ["W1"], "facade": {"height_m": 7.2, "base": "column"}})
-    by_formula = estimate(Case.configured("W1", {"facade.height_m": 7.2, "facade.base": "column"}))
+    own = study_settings({"models": ["W1"], "facade": {"height_m": 7.2, "base": "column"}})
+    by_formula = estimate(study_case("W1", {"facade.height_m": 7.2, "facade.base": "column"}))
     rows = [{"model": "W1", "median_pga_g": 5.0 * by_formula.median, "stations": 22}]
     (said,) = words.remarks(own, pd.DataFrame(rows))
     tables = {

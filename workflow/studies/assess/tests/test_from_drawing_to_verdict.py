@@ -9,14 +9,14 @@ import math
 
 import pandas as pd
 import pytest
-from rocking.configuration import config
 from studies.assess import verdict
 from studies.assess.code_checks import code_checks, governing
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.family import Family
+from study_cases import study_settings
 
 WINDOW = {"z_m": 4.0, "width_m": 1.0, "height_m": 1.5}
-CONFIG = config.resolve(
+CONFIG = study_settings(
     {
         "facade": {
             "height_m": 7.0,

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from rocking.configuration import config as configuration
 from studies.assess import inputs, national, site
 from studies.assess.national import check_rows
+from study_cases import study_settings
 
 ROWS = [
     {"return_period_years": tr, "ag_g": ag, "f0": f0, "tc_star_s": tc}
@@ -82,7 +82,7 @@ def test_both_hazards_of_a_site_stand_side_by_side():
     ],
 )
 def test_rows_that_are_no_hazard_are_refused_in_one_line(own, words):
-    resolved = configuration.resolve({"assessment": own})
+    resolved = study_settings({"assessment": own})
     with pytest.raises(ValueError, match=words) as caught:
         inputs.check_demand(resolved)
     assert "\n" not in str(caught.value)

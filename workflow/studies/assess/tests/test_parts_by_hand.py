@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from rocking.configuration import config
 from studies.assess.family import Family
+from study_cases import study_settings
 
 from yade_scripts.model.part import part_of
 from yade_scripts.model.shape import shape_of
@@ -25,7 +25,7 @@ FACADE = {
 
 @pytest.fixture(scope="module")
 def resolved():
-    return config.resolve({"facade": FACADE})
+    return study_settings({"facade": FACADE})
 
 
 @pytest.mark.parametrize("foot_m", [1.0, 3.0, 4.5, 6.0])

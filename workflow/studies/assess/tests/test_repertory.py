@@ -4,19 +4,18 @@ import math
 
 import numpy as np
 import pytest
-from rocking import Case
-from rocking.configuration import config
-from rocking.mechanics.hanging import Wedge
 from rocking.mechanics.mechanism import rate
 from studies.assess import byhand, region, shaken
 from studies.assess.code_checks import code_checks, family_of, governing, least
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.family import Family
+from studies.assess.hanging import Wedge
 from studies.assess.masonry import Masonry
 from studies.assess.names import KINDS, NAMES, SENTENCES, kind_of, not_asked
 from studies.assess.partial_width import _screened, lines, part_width
 from studies.assess.repertory import compound, horizontal, supports, wedge_masses
 from studies.assess.sites import site_of
+from study_cases import study_case, study_settings
 
 from yade_scripts.model.shape import shape_of
 
@@ -36,7 +35,7 @@ DEMAND = CodeDemand(0.2, 2.45, 0.32, "B")
 
 
 def resolved(facade=PLAIN, **own):
-    return config.resolve(
+    return study_settings(
         {
             "facade": facade,
             "return_wall": WALLS,
@@ -334,7 +333,7 @@ def test_a_wedge_is_shaken_as_one_block_and_the_others_are_named():
     settings = resolved(given, mechanisms=list(NAMES), **BRICKS)
     ranked = governing(family_of(settings, DEMAND).all(), settings, DEMAND)
     own = {"facade": given, "return_wall": WALLS, "damping": {"law": "value", "beta_s": 1e-3}}
-    case = Case.configured("W1", own)
+    case = study_case("W1", own)
     table = shaken.chosen(ranked, [case], DEMAND.pga_g, 100.0)
     by = table.set_index("part")
     assert by.loc["horizontal", "why_not"] == by.loc["part_width", "why_not"] == shaken.NARROW

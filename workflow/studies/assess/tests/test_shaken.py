@@ -3,15 +3,15 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import Case, Motion
+from rocking import Motion
 from rocking.collapse import curve, scan, search
-from rocking.configuration import config
 from rocking.risk.hazard import Hazard
 from studies.assess import collapses, shaken
 from studies.assess.code_checks import family_of, governing
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.dynamic_answer import left_out
 from studies.assess.national import return_period_of
+from study_cases import study_case, study_settings
 
 DEMAND = CodeDemand(0.16, 2.5, 0.31, "C")
 FACADE = {"height_m": 8.0, "thickness_m": 0.5, "width_m": 8.0, "density_kg_m3": 1800.0}
@@ -22,11 +22,11 @@ HELD = {"floor_friction": False, "anchor_plate_m": 0.3, "masonry_shear_mpa": 0.0
 HELD |= {"masonry_compression_mpa": 2.6, "confidence_factor": 1.2}
 
 
-def table(within, demand=DEMAND):
-    settings = config.resolve({"facade": FACADE, "smdof": CHAIN})
+def table(within, demand=DEMAND, facade=FACADE):
+    settings = study_settings({"facade": facade, "smdof": CHAIN})
     ranked = governing(family_of(settings, demand).all(), settings, demand)
     damping = {"law": "value", "beta_s": 0.001}
-    case = Case.configured("W1", {"facade": FACADE, "smdof": CHAIN, "damping": damping})
+    case = study_case("W1", {"facade": facade, "smdof": CHAIN, "damping": damping})
     return shaken.chosen(ranked, [case], demand.pga_g, within), case
 
 
@@ -50,6 +50,18 @@ def test_the_demand_decides_and_not_the_weakest():
     assert found.loc[found["part"] == "whole", "shaken"].iloc[0] == 1
 
 
+@pytest.mark.parametrize(("anchor_kn", "shaken_too"), [(40.0, True), (90.0, False)])
+def test_a_link_that_gives_way_early_is_shaken_however_far_from_the_demand(anchor_kn, shaken_too):
+    """Rods that yield at 68.4 kN each: on stronger anchors the same part is left out."""
+    row = {"height_m": 4.0, "diameter_mm": 22.0, "length_m": 9.0, "yield_mpa": 180.0}
+    door = {"x_m": 0.0, "z_m": 0.0, "width_m": 1.0, "height_m": 2.0}
+    facade = {**FACADE, "ties": [{**row, "anchor_kn": anchor_kn}], "openings": [door]}
+    found, _ = table(1.0, CodeDemand(0.02, 2.5, 0.31, "C"), facade)
+    own = found.set_index("part").loc["above_2.0"]
+    assert own["shaken"] == shaken_too
+    assert (own["d_slv_m"] < 0.1 * own["d_slv_bare_m"]) == shaken_too
+
+
 def test_what_is_too_stocky_is_known_by_the_kind_of_its_refusal():
     found, _ = table(100.0)
     stocky = found[found["why_not"] == shaken.STOCKY]
@@ -57,7 +69,7 @@ def test_what_is_too_stocky_is_known_by_the_kind_of_its_refusal():
 
 
 def test_friction_of_floors_holds_nothing_unless_it_is_said_to():
-    case = Case.configured("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
+    case = study_case("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
     found = shaken.settled(case, HELD)
     assert [row["friction"] for row in found["facade"]["floors"]] == [0.0]
     assert found["facade"]["ties"][0]["anchor_kn"] == pytest.approx(
@@ -71,12 +83,12 @@ def test_friction_of_floors_holds_nothing_unless_it_is_said_to():
 
 
 def test_a_part_of_the_parapet_stands_on_the_top_of_the_building():
-    case = Case.configured("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
+    case = study_case("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
     part = case.part(8.5)["facade"]
     assert part["height_m"] == pytest.approx(0.7)
     assert (part["base_height_m"], part["sides"]) == (8.0, "two")
     gable = {**FACADE, "parapet_height_m": 0.0, "gable_height_m": 2.0}
-    case = Case.configured("W1", {"facade": gable, "damping": {"law": "value", "beta_s": 1e-3}})
+    case = study_case("W1", {"facade": gable, "damping": {"law": "value", "beta_s": 1e-3}})
     part = case.part(8.5)["facade"]
     assert (part["height_m"], part["width_m"]) == (pytest.approx(1.5), pytest.approx(6.0))
 
@@ -100,7 +112,7 @@ def test_climbs_that_end_where_another_has_fallen_lose_no_first_collapse():
 
 @pytest.mark.slow
 def test_a_climb_from_where_a_part_stands_finds_the_same_and_runs_none_below(monkeypatch):
-    case = Case.configured("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
+    case = study_case("W1", {"facade": FACADE, "damping": {"law": "value", "beta_s": 1e-3}})
     turns = [(Motion.named("IS101_Lo", "config/suites/recorded_suite.tsv"), "neg")]
     (usual,) = collapses.by_part({"whole": case}, turns, 2.0)["whole"]
     start, asked = 0.9 * usual["pga_median_g"], []

@@ -4,8 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from drawn_facades import several
-from rocking import Case, Motion
-from rocking.configuration import config
+from rocking import Motion
 from rocking.risk.hazard import Hazard
 from studies.assess.anchors import completed_settings
 from studies.assess.code_checks import family_of, governing
@@ -13,6 +12,7 @@ from studies.assess.code_spectrum import CodeDemand
 from studies.assess.collapses import by_part
 from studies.assess.dynamic_answer import answer, weakest
 from studies.assess.shaken import cases, chosen, settled
+from study_cases import study_case, study_settings
 
 TABLE = "config/suites/recorded_suite.tsv"
 STATIONS = ("GMN_NS", "IS101_Lo", "IS113_Lo", "LPCC_H1", "BGI_NS", "IS106_Lo", "IS108_Lo")
@@ -28,11 +28,11 @@ def turns():
 
 def rate(given, turns):
     """Annual rate of collapse of all mechanisms that are shaken, and its interval."""
-    resolved = completed_settings(config.resolve({**given, "damping": DAMPING}))
+    resolved = completed_settings(study_settings({**given, "damping": DAMPING}))
     own = resolved["assessment"]
     demand = CodeDemand(own["ag_g"], own["f0"], own["tc_star_s"], own["soil"])
     of_case = {key: given[key] for key in ("facade", "return_wall", "smdof")}
-    case = settled(Case.configured("W1", {**of_case, "damping": DAMPING}), own)
+    case = settled(study_case("W1", {**of_case, "damping": DAMPING}), own)
     ranked = governing(family_of(resolved, demand).all(), resolved, demand)
     table = chosen(ranked, [case], demand.pga_g, 4.0)
     parts = {row.part: one for row, one in cases(case, table)}

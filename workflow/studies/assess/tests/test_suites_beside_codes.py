@@ -3,7 +3,6 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.configuration import config
 from rocking.records import Record
 from rocking.records.floors import chain_motions
 from studies.assess import code_tables
@@ -11,12 +10,13 @@ from studies.assess.code_checks import pulse_share
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.comparison import parts_against_whole, share_interval
 from studies.assess.family import Family
+from study_cases import study_settings
 
 from smdof.spectra import response_spectrum
 
 T = 0.01 * np.arange(400)
 BURST = np.sin(9.0 * T) * np.exp(-((T - 1.5) ** 2))
-SETTINGS = config.resolve({"smdof": {"n_dof": 2, "tail_s": 1.0}})
+SETTINGS = study_settings({"smdof": {"n_dof": 2, "tail_s": 1.0}})
 
 
 def test_a_suite_stands_at_the_pga_of_the_demand_whatever_its_own():
@@ -115,7 +115,7 @@ def test_a_stated_roof_bears_on_its_arm_from_the_back_or_on_the_middle(arm_m, pl
     """α0 = [W b/2 + N (b − s)]/(W h/2 + N h)."""
     facade = {"height_m": 6.0, "thickness_m": 0.6, "width_m": 4.0, "density_kg_m3": 1800.0}
     own = {"roof_load_kn": 30.0, "roof_arm_m": arm_m}
-    family = Family(config.resolve({"facade": facade, "assessment": own}))
+    family = Family(study_settings({"facade": facade, "assessment": own}))
     found = family.part(0.0, "whole").mechanism.multiplier()
     weight = family.masonry.weight_n
     expected = weight * 0.3 + 30e3 * (0.6 - place_m)

@@ -6,8 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pandas as pd
 import pytest
-from rocking import Case, Motion
-from rocking.configuration import config as configuration
+from rocking import Motion
 from studies.assess import (
     anchors,
     inputs,
@@ -19,7 +18,9 @@ from studies.assess import (
 )
 from studies.assess.code_checks import slv_pga
 from studies.assess.code_spectrum import CodeDemand
+from studies.assess.dynamic_check import FINE
 from studies.assess.shaken import label
+from study_cases import study_case, study_settings
 
 DEMAND = CodeDemand(0.26, 2.4, 0.32, "B")
 PLAIN = {"height_m": 6.0, "thickness_m": 0.4, "width_m": 5.0, "density_kg_m3": 1800.0}
@@ -34,7 +35,7 @@ STOREYS = {
 
 def sections(facade, **own):
     chain = {"n_dof": 3, "period_s": 0.3}
-    return configuration.resolve({"facade": facade, "smdof": chain, "assessment": own})
+    return study_settings({"facade": facade, "smdof": chain, "assessment": own})
 
 
 def times(rows, factor):
@@ -143,6 +144,7 @@ class Shaken:
     """
 
     models = ("W1",)
+    care = FINE
 
     def __init__(self, tied, asks):
         self.tied, self.asks, self.left, self.tried = tied, asks, set(), []
@@ -352,7 +354,7 @@ def test_behind_a_part_are_the_rows_of_its_case():
     bends = next(one for one in known.values() if one.foot_m == 3.0 and one.held_m == 6.0)
     assert ties_built.held_by(bends.mechanism, rows) == []
     given = {"facade": {**PLAIN, "ties": tied.entries(rows)}, "smdof.n_dof": 3}
-    case = Case.configured("W1", {**given, "damping": {"law": "value", "beta_s": 0.001}})
+    case = study_case("W1", {**given, "damping": {"law": "value", "beta_s": 0.001}})
     for one in known.values():
         behind = ties_shaken.behind(one, rows)
         part = case.part(one.foot_m, one.held_m, one.hinge_m).sections["facade"]
@@ -367,7 +369,7 @@ def test_the_dynamic_check_of_a_tied_facade_holds_at_the_end_and_not_one_step_be
     resolved = sections(PLAIN, tie_levels_m=[6.0], shaken_within=1.0)
     damping = {"law": "value", "beta_s": 0.001}
     given = {"facade": PLAIN, "smdof": {"n_dof": 3, "period_s": 0.3}, "damping": damping}
-    case = Case.configured("W1", given)
+    case = study_case("W1", given)
     tied = ties.Tied(resolved, DEMAND)
     table = "config/suites/recorded_suite.tsv"
     motions = [(Motion.named(name, table), 0.5) for name in ("IS101_Lo", "GMN_NS")]

@@ -4,20 +4,20 @@ import math
 
 import numpy as np
 import pytest
-from rocking.configuration import config
 from rocking.mechanics.blocks import Held, PlainFacade, overturning, weakest_hinge
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from studies.assess import checks
 from studies.assess.demand import TableDemand
 from studies.assess.family import Family, stretched
 from studies.assess.masonry import Masonry
+from study_cases import study_settings
 
 PLAIN = {"height_m": 6.0, "thickness_m": 0.5, "width_m": 4.0, "density_kg_m3": 1800.0}
 FLAT = TableDemand(np.array([0.0, 0.1, 9.0]), np.array([0.2, 0.5, 0.5]))
 
 
 def family(facade):
-    return Family(config.resolve({"facade": facade}))
+    return Family(study_settings({"facade": facade}))
 
 
 @pytest.mark.parametrize(
@@ -46,10 +46,10 @@ def test_a_facade_stretched_in_height_turns_at_a_multiplier_lower_by_its_factor(
         "thickness_steps": [{"z_m": 3.0, "thickness_m": 0.4}],
         "openings": [{"x_m": 0.5, "z_m": 1.0, "width_m": 1.0, "height_m": 1.4}],
     }
-    section = config.resolve({"facade": facade})["facade"]
+    section = study_settings({"facade": facade})["facade"]
     tall = stretched(section, 1.5)
     assert Masonry(tall).top_m == pytest.approx(1.5 * 7.0)
-    low, high = (Family({**config.resolve({}), "facade": own}) for own in (section, tall))
+    low, high = (Family({**study_settings({}), "facade": own}) for own in (section, tall))
     for foot_m in (0.0, 1.0, 2.4, 3.0, 6.0):
         short, long = low.part(foot_m, "one"), high.part(1.5 * foot_m, "one")
         ratio = short.mechanism.multiplier() / long.mechanism.multiplier()
@@ -57,7 +57,7 @@ def test_a_facade_stretched_in_height_turns_at_a_multiplier_lower_by_its_factor(
 
 
 def test_ties_of_a_stretched_facade_move_up_and_keep_what_they_are():
-    section = config.resolve({"facade": {**PLAIN, "ties": [{"height_m": 4.0}]}})["facade"]
+    section = study_settings({"facade": {**PLAIN, "ties": [{"height_m": 4.0}]}})["facade"]
     (tie,) = stretched(section, 1.5)["ties"]
     assert tie == {**section["ties"][0], "height_m": 6.0}
 
@@ -72,7 +72,7 @@ def test_a_parapet_s_period_is_that_of_its_own_thickness():
 
 def test_faces_at_a_step_are_those_of_the_side_that_is_asked_for():
     steps = [{"z_m": 3.0, "thickness_m": 0.3}]
-    masonry = Masonry(config.resolve({"facade": {**PLAIN, "thickness_steps": steps}})["facade"])
+    masonry = Masonry(study_settings({"facade": {**PLAIN, "thickness_steps": steps}})["facade"])
     assert masonry.faces(3.0) == pytest.approx((0.2, 0.5))
     assert masonry.faces(3.0, above=False) == pytest.approx((0.0, 0.5))
     assert masonry.faces(0.0, above=False) == pytest.approx((0.0, 0.5))
@@ -113,7 +113,7 @@ def test_what_pushes_takes_from_the_multiplier_and_nothing_from_d0():
 
 def test_the_weakest_hinge_below_several_loads_is_that_below_their_resultant():
     loaded = {"facade": {**PLAIN, "floors": [{"height_m": 6.0, "load_kn": 1.0}]}}
-    section = config.resolve(loaded)["facade"]
+    section = study_settings(loaded)["facade"]
     (shipped,) = section["floors"]
     rows = [
         {**shipped, "load_kn": 10.0, "arm_m": 0.05},

@@ -3,10 +3,10 @@
 import math
 
 import pytest
-from rocking import Case
 from studies.assess import drawn_bodies
 from studies.assess.family import Family
 from studies.assess.partial_width import part_width
+from study_cases import study_case
 from test_repertory import GAMMA, PLAIN, family, resolved
 
 from yade_scripts.model.shape import shape_of
@@ -28,7 +28,7 @@ def test_a_cornice_takes_from_what_rights_the_wall():
     assert part == pytest.approx(alpha, rel=1e-12)
     bare = family().corner(1, 0.0).mechanism.multiplier()
     assert known.corner(1, 0.0).mechanism.multiplier() < bare
-    above = Case.configured("W1", {"facade": facade}).part(3.0)["facade"]
+    above = study_case("W1", {"facade": facade}).part(3.0)["facade"]
     assert above["cornices"] == [{"z_m": 2.7, "height_m": 0.3, "projection_m": 0.4}]
 
 
@@ -60,7 +60,7 @@ def test_a_wall_that_tapers(flush):
     own = shape_of(settings["facade"])
     assert own.static_multiplier == pytest.approx(alpha, rel=3e-3)
     assert list(known.feet()) == [0.0]  # no height at which it changes
-    above = Case.configured("W1", {"facade": facade}).part(2.0)["facade"]
+    above = study_case("W1", {"facade": facade}).part(2.0)["facade"]
     assert (above["thickness_m"], above["top_thickness_m"]) == pytest.approx((0.5, 0.3))
     sums = known.masonry.masses(2.0, 6.0)
     part = shape_of(above)

@@ -9,14 +9,14 @@ import pandas as pd
 import pytest
 import yaml
 from forked import snakemake
-from rocking import Case, Motion, history
+from rocking import Motion, history
 from rocking.collapse.curve import run_by
-from rocking.configuration import config as configuration
 from scipy.integrate import cumulative_trapezoid
 from studies.assess.code_checks import family_of, governing
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.dynamic_check import checked, limits_of, verdict
 from studies.assess.shaken import cases, chosen, label
+from study_cases import study_case, study_settings
 
 pytestmark = [pytest.mark.slow, pytest.mark.yade, pytest.mark.xdist_group("whole path")]
 
@@ -59,7 +59,7 @@ def the_part(model):
     facade = {"height_m": H, "thickness_m": B, "width_m": 4.0, "density_kg_m3": 1700.0}
     given = {"facade": {**facade, "ties": rows}, "smdof": {"n_dof": 2, "period_s": 0.2}}
     damping = {"law": "value", "beta_s": 0.001}
-    return Case.configured(model, {**given, "damping": damping}).part(FOOT)
+    return study_case(model, {**given, "damping": damping}).part(FOOT)
 
 
 def ground_g(period_s, damping):
@@ -197,11 +197,11 @@ def test_yade_agrees_on_the_mechanism_and_model_that_decide(folder):
 
 def passes(given, motions):
     """Whether W1 passes by hand, and shaken: checks and histories as of any façade."""
-    settings, demand = configuration.resolve(given), CodeDemand(AG, F0, TC_STAR, "B")
+    settings, demand = study_settings(given), CodeDemand(AG, F0, TC_STAR, "B")
     known = {label(one): one for one in family_of(settings, demand).all()}
     ranked = governing(known.values(), settings, demand)
     of_case = {key: given[key] for key in ("facade", "smdof", "damping")}
-    case, within = Case.configured("W1", of_case), settings["assessment"]["shaken_within"]
+    case, within = study_case("W1", of_case), settings["assessment"]["shaken_within"]
     table = chosen(ranked, [case], demand.pga_g, within)
     assert (table["shaken"] == 1).sum() >= 2
 

@@ -12,7 +12,7 @@ COLUMNS = ["model", "record", "direction", "assumption", "level", *CAPACITY, "ru
 
 def main(job):
     p, record = job.params, read_csv(job.input.record)
-    stage = read_json(job.input.stage)
+    stage = read_json(str(job.input.stage)) if job.input.stage else None
     row = read_table(p.surrogates_table).get(record.name)
     known = record.source != "surrogate" and row is not None and row.path is None
     surrogate = {"table": p.surrogates_table, "seed": p.seed} if known else None

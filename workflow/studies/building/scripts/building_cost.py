@@ -3,10 +3,10 @@
 import resource
 import time
 
-from rocking.building.case import fitted_model, translation_mode, twist_mode
-from rocking.building.modes import Solver
 from rocking.runtime.script import run
 from rocking.tables import write_json
+from studies.building.case import fitted_model, translation_mode, twist_mode
+from studies.building.modes import Solver
 
 
 def memory_mb():

@@ -1,9 +1,9 @@
 """Scene, damping rate and step of the explicit run of SBDEM (building/explicit_….json)."""
 
-from rocking.building.case import fitted_model, translation_mode
-from rocking.building.modes import Solver, largest_frequency
 from rocking.runtime.script import run
+from studies.building.case import fitted_model, translation_mode
 from studies.building.history import mass_damping_rate
+from studies.building.modes import Solver, largest_frequency
 
 from yade_scripts.model.scene import to_json
 

@@ -1,12 +1,12 @@
 """Top motion of a building under one record by modal superposition (building/history_….csv)."""
 
 import pandas as pd
-from rocking.building.case import fitted_model, translation_mode
-from rocking.building.modes import Modes
 from rocking.records import read_csv
 from rocking.runtime.script import run
 from rocking.tables import write_table
+from studies.building.case import fitted_model, translation_mode
 from studies.building.history import mass_damping_rate, modal_history
+from studies.building.modes import Modes
 
 
 def main(job):

@@ -1,10 +1,10 @@
 """Figure 1: geometry of the building and its brick models CBDEM and SBDEM."""
 
 import matplotlib.pyplot as plt
-from rocking.building.case import build_model, read_plan
 from rocking.figures import style
 from rocking.runtime.script import run
 from studies.building import drawing
+from studies.building.case import build_model, read_plan
 
 
 def main(job):

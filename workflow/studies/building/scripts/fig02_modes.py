@@ -2,11 +2,11 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rocking.building.case import PAPER_PERIODS_S, fitted_model, translation_mode, twist_mode
-from rocking.building.modes import Modes
 from rocking.figures import style
 from rocking.runtime.script import run
 from studies.building import drawing
+from studies.building.case import PAPER_PERIODS_S, fitted_model, translation_mode, twist_mode
+from studies.building.modes import Modes
 
 LARGEST_M = 0.7  # drawn displacement of the block that moves most
 

@@ -2,13 +2,13 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rocking.building.case import translation_mode
-from rocking.building.modes import Modes
 from rocking.figures import style
 from rocking.records import G_M_S2, read_csv
 from rocking.runtime.script import run
 from rocking.tables import read_json
+from studies.building.case import translation_mode
 from studies.building.comparison import against_chains
+from studies.building.modes import Modes
 
 SHADES = ("#fdae6b", "#e6a100", "#009E73", "#0072B2", "#7b3294")
 

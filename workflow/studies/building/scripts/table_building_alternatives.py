@@ -1,6 +1,8 @@
 """The study's four periods for each plan, floor load fitted (tables/building_alternatives.csv)."""
 
-from rocking.building.case import (
+from rocking.runtime.script import run
+from rocking.tables import write_table
+from studies.building.case import (
     MODELS,
     PAPER_PERIODS_S,
     build_model,
@@ -9,9 +11,7 @@ from rocking.building.case import (
     translation_mode,
     twist_mode,
 )
-from rocking.building.modes import DIRECTIONS, Solver
-from rocking.runtime.script import run
-from rocking.tables import write_table
+from studies.building.modes import DIRECTIONS, Solver
 
 COLUMNS = ["plan", "floor_load_kg_m2", "masonry_mass_kg", "mass_kg", "model", "mode", "direction"]
 COLUMNS += ["period_s", "effective_mass_ratio", "period_paper_s", "relative_difference"]

@@ -9,14 +9,14 @@ identifies it.
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from rocking.building.case import fitted_model
-from rocking.building.modes import Solver
 from rocking.figures import style
 from rocking.records import G_M_S2, read_csv
 from rocking.runtime.script import run
 from rocking.tables import headed, read_json, write_table
+from studies.building.case import fitted_model
 from studies.building.comparison import top_motion
 from studies.building.explicit import differences, modal_histories, read_histories, second_along_y
+from studies.building.modes import Solver
 from studies.building.yade.explicit_building import corner
 
 MODES = 300

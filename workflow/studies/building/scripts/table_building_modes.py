@@ -1,10 +1,10 @@
 """Periods and effective masses of both models (tables/building_modes.csv)."""
 
 import pandas as pd
-from rocking.building.case import PAPER_PERIODS_S, translation_mode, twist_mode
-from rocking.building.modes import DIRECTIONS, Modes
 from rocking.runtime.script import run
 from rocking.tables import write_table
+from studies.building.case import PAPER_PERIODS_S, translation_mode, twist_mode
+from studies.building.modes import DIRECTIONS, Modes
 
 ROWS = 12  # modes listed for each model
 

@@ -7,11 +7,11 @@ push, from the zero crossings; the modal one that of the largest effective mass 
 from pathlib import Path
 
 import numpy as np
-from rocking.building.modes import Solver
 from rocking.runtime.script import run
 from rocking.tables import read_frame, read_json, write_table
 from studies.building.complete import linear_history
 from studies.building.explicit import ringing_period
+from studies.building.modes import Solver
 from studies.building.yade.complete import apart
 
 from yade_scripts.model import floor_motions

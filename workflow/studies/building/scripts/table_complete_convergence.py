@@ -3,9 +3,9 @@
 from pathlib import Path
 
 import numpy as np
-from rocking.building.modes import Solver
 from rocking.runtime.script import run
 from rocking.tables import read_frame, read_json, write_table
+from studies.building.modes import Solver
 from studies.building.yade.complete import apart
 
 from yade_scripts.model.scene import from_dict

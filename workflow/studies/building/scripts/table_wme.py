@@ -4,12 +4,12 @@ That also as a configuration file, which gives the chain to the façade stage.
 """
 
 import pandas as pd
-from rocking.building.case import translation_mode
-from rocking.building.modes import Modes
 from rocking.records import read_csv
 from rocking.runtime.script import run
 from rocking.tables import write_table
+from studies.building.case import translation_mode
 from studies.building.comparison import PAPER_WME, QUANTITIES, against_chains, choose_n
+from studies.building.modes import Modes
 
 
 def main(job):

@@ -2,13 +2,13 @@
 
 import numpy as np
 import pandas as pd
-from rocking.building.case import fitted_model, read_plan, translation_mode
-from rocking.building.modes import Modes
 from rocking.records import read_csv
 from rocking.runtime.script import run
 from rocking.tables import write_table
+from studies.building.case import fitted_model, read_plan, translation_mode
 from studies.building.comparison import PAPER_WME, QUANTITIES
 from studies.building.history import mass_damping_rate, modal_history
+from studies.building.modes import Modes
 from studies.building.readings import errors, first_mode, highest_brick, readings
 
 

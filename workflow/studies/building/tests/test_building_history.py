@@ -2,16 +2,16 @@
 
 import numpy as np
 import pytest
-from rocking.building.modes import Solver, largest_frequency
 from rocking.mechanics.closed_forms import rayleigh_ratio
 from scipy.sparse.linalg import spsolve
 from studies.building.comparison import chain_top, choose_n, top_motion
 from studies.building.history import LOADS, mass_damping_rate, modal_history
+from studies.building.model.assembly import build
+from studies.building.modes import Solver, largest_frequency
 from studies.building.yade.explicit_building import corner
 from yade_process import run_study
 
 import smdof
-from yade_scripts.model.building.assembly import build
 from yade_scripts.model.building.plan import Opening, Plan, PlanWall
 from yade_scripts.model.scene import to_json
 

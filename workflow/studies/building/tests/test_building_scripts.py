@@ -6,9 +6,9 @@ import numpy as np
 import pandas as pd
 import pytest
 import yaml
-from rocking.configuration import config
 from rocking.records import Record, write_csv
 from run_script import script
+from study_cases import study_settings
 
 pytestmark = pytest.mark.slow
 
@@ -18,7 +18,7 @@ PLAN = ROOT / "config" / "buildings" / "example_three_storeys.yaml"
 
 @pytest.fixture(scope="module")
 def settings():
-    section = config.resolve({})["building"]
+    section = study_settings({})["building"]
     return {**section, "coarsening": 6.0, "modes": 20, "fit_period_s": None}
 
 
@@ -104,7 +104,7 @@ def test_chain_feeds_the_facade_stage_by_configuration_alone(folder):
     modes, chain = pd.read_csv(folder / "modes.csv"), pd.read_csv(folder / "chain.csv")
     along_y = modes[(modes["model"] == "SBDEM") & (modes["direction"] == "y")]
     period = along_y.loc[along_y["effective_mass_ratio"].idxmax(), "period_s"]
-    resolved = config.resolve(yaml.safe_load((folder / "chain.yaml").read_text()))
+    resolved = study_settings(yaml.safe_load((folder / "chain.yaml").read_text()))
     assert resolved["smdof"]["period_s"] == pytest.approx(period, rel=1e-5)
     assert resolved["smdof"]["n_dof"] == chain["n_dof"][0]
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from rocking.building.modes import Modes
 from studies.building.comparison import choose_n
+from studies.building.modes import Modes
 from studies.building.readings import first_mode
 
 

@@ -6,16 +6,16 @@ from dataclasses import replace
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.building.case import real_brick
-from rocking.building.modes import Solver
+from studies.building.case import real_brick
 from studies.building.complete import complete_building, critical_step, linear_history, plan_of
+from studies.building.model import assembly
+from studies.building.model.contacts import Joints
+from studies.building.modes import Solver
 from studies.building.yade.complete import apart, behind, with_rigid_floors
 from yade_process import in_yade, resolved, run_study
 
 from yade_scripts.commands.search import next_level
 from yade_scripts.model import floor_motions, stiffness
-from yade_scripts.model.building import assembly
-from yade_scripts.model.building.contacts import Joints
 from yade_scripts.model.building.plan import Opening, Plan, PlanError, PlanWall, TimberFloor
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.scene import from_dict, to_json

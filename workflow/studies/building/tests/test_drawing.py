@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
-from rocking.building.modes import Solver
 from studies.building import drawing
+from studies.building.model.assembly import build
+from studies.building.modes import Solver
 
-from yade_scripts.model.building.assembly import build
 from yade_scripts.model.building.plan import Plan, PlanWall
 
 

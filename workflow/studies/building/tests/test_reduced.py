@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from rocking.building.modes import matrices
 from rocking.solver.plane import matrices as plane_matrices
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import history, stable_step
 from rocking.solver.substructure import bodies
 from scipy.linalg import block_diag, eigh
 from scipy.sparse.linalg import spsolve
+from studies.building.modes import matrices
 from studies.building.reduced import ReducedScan, in_plane, reduction
 from studies.building.yade.complete import apart
 from test_complete import THICKNESS_M, T, job, pulses, scene_of

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from rocking.building.modes import Modes
 from studies.building import explicit
+from studies.building.modes import Modes
 
 
 @pytest.mark.parametrize("period_s", [0.11, 0.27])

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import yaml
-from rocking.building.case import PAPER_PERIODS_S
+from studies.building.case import PAPER_PERIODS_S
 from studies.building.comparison import PAPER_WME
 
 DATA = yaml.safe_load((Path(__file__).parents[4] / "docs" / "study.yaml").read_text("utf-8"))

@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from rocking.building.case import PAPER_PERIODS_S
-from rocking.building.modes import Modes
 from rocking.records import Record
+from studies.building.case import PAPER_PERIODS_S
 from studies.building.comparison import N_DOF, PAPER_WME, TopMotion, chain_top, top_motion
 from studies.building.history import PointHistory, mass_damping_rate, modal_history
+from studies.building.modes import Modes
 from studies.building.readings import Reading, errors, readings, strong_part
 
 import smdof
@@ -90,7 +90,8 @@ def test_spectra_begin_at_the_peak_acceleration(absolute):
 
 def history_of_chain(n_dof, damping_ratio=0.05):
     record = Record("noise", noise(), 0.01, "file", "m/s2", "none")
-    chain = smdof.floor_motions(record.acceleration_m_s2, 0.01, n_dof, PERIOD_S, damping_ratio)
+    equal = smdof.shear_chain(n_dof, PERIOD_S)
+    chain = smdof.floor_motions(record.acceleration_m_s2, 0.01, equal, damping_ratio)
     top = chain.floors_m_s2[-1:]
     return record, PointHistory(chain.time_s, chain.ground_m_s2, top, np.zeros_like(top))
 
@@ -152,7 +153,7 @@ def test_periods_agree_with_what_the_text_says_of_them():
 def test_what_ground_and_top_share_is_no_motion_relative_to_the_ground():
     """An oscillator of the chain's own period: no error, and none with a common motion on both."""
     record = Record("noise", noise(), 0.01, "file")
-    chain = smdof.floor_motions(record.acceleration_m_s2, 0.01, 1, PERIOD_S, 0.05, "modal")
+    chain = smdof.floor_motions(record.acceleration_m_s2, 0.01, smdof.shear_chain(1, PERIOD_S))
     common = 3.0 * np.sin(5.0 * chain.time_s)
     way = Reading(relative=True)
     for shared in (0.0, common):

@@ -23,7 +23,7 @@ from yade_scripts.model.facade import FACADE, Beds, plain_block
 from yade_scripts.model.facades import Facade
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.return_walls import back_jkn, back_strength
-from yade_scripts.model.scene import DOFS, NodeList, Scene
+from yade_scripts.model.scene import DOFS, Interface, NodeList, Scene
 
 BACK_JOINTS = ("bricks", "facade")
 
@@ -170,11 +170,13 @@ class _BackJoints:
             line,
             (0, -1, 0),
             weights * (z1 - z0) * (x1 - x0),
-            jkn,
-            jks,
-            beta_s=self.beta_s * jkn_back / jkn,
-            gap_m=own.gap_m,
-            **back_strength(config["return_wall"], self.bonded),
+            Interface(
+                jkn,
+                jks,
+                beta_s=self.beta_s * jkn_back / jkn,
+                gap_m=own.gap_m,
+                **back_strength(config["return_wall"], self.bonded),
+            ),
         )
 
 

@@ -5,6 +5,7 @@ import os
 
 from rocking.configuration.config import ConfigError, resolve
 from rocking.configuration.files import read_yaml
+from rocking.configuration.study import as_in_the_study
 from rocking.fidelity import choose, read_fidelity
 from rocking.mechanics.beta import beta_for
 from rocking.records import load, read_table
@@ -17,7 +18,7 @@ from yade_scripts.model.floor_motions import write
 
 def main(job):
     settings = json.loads(job.params.settings)["calibration"]
-    wall = resolve(read_yaml(job.input.wall))
+    wall = resolve(as_in_the_study(read_yaml(job.input.wall)))
     wall["facade"]["base"] = settings["base"]
     wall["numerics"], _ = choose(wall, "W1", read_fidelity(job.input.fidelity))
     names = list(read_table(job.input.table))

@@ -7,14 +7,14 @@ import warnings
 
 import numpy as np
 import pytest
-from rocking.configuration.config import resolve
 from rocking.mechanics import beta as cal
 from rocking.mechanics import closed_forms
+from study_cases import study_settings
 
 
 def facade(**keys):
     wall = keys.pop("return_wall", {})
-    return resolve(
+    return study_settings(
         {
             "facade": {"height_m": 0.8, "thickness_m": 0.11, "width_m": 1.0, **keys},
             "return_wall": {"thickness_m": 0.11, **wall},
@@ -39,13 +39,13 @@ def test_value_and_eq5():
 
 def test_eq5_outside_its_walls():
     with pytest.warns(cal.RangeWarning, match="thickness_m = 0.375"):
-        assert cal.beta_for(with_law(resolve({}), "eq5")) == pytest.approx(0.00276, rel=0.01)
+        assert cal.beta_for(with_law(study_settings({}), "eq5")) == pytest.approx(0.00276, rel=0.01)
     with pytest.raises(cal.CalibrationError, match="positive"):
         cal.beta_for(with_law(facade(e_mpa=7000.0), "eq5"))
 
 
 def test_free_standing_has_no_law():
-    config = resolve({"facade": {"sides": "two"}, "models": ["W1"]})
+    config = study_settings({"facade": {"sides": "two"}, "models": ["W1"]})
     with pytest.raises(cal.CalibrationError, match="expected value"):
         cal.beta_for(with_law(config, "fitted"))
 

@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from rocking.configuration.config import resolve
 from rocking.mechanics import beta, closed_forms
 from studies.calibration import free_rocking as study
+from study_cases import study_settings
 
-SETTINGS = resolve({})["calibration"]
+SETTINGS = study_settings({})["calibration"]
 BETAS = np.array([1e-4, 2e-4, 4e-4, 8e-4, 1.6e-3])
 
 

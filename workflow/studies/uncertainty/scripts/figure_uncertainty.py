@@ -19,6 +19,7 @@ WORDS = {
     "period_s": "T1",
     "damping_ratio": "damping",
     "length_m": "length L",
+    "base_shear_ratio": "V/W",
 }
 LINES = ("-", "--", "-.", ":")
 ENDS = ("", "_low", "_high")

@@ -1,0 +1,89 @@
+"""What a run says at its end: shares over curves, the building's, and what YADE was foretold."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from rocking.collapse import answer
+
+
+def curve(edge_g, building_g=None, top_g=1.0):
+    """Collapse probabilities of a curve that falls from one amplitude on."""
+    pga_g = np.linspace(0.05, top_g, 381)
+    table = {"pga_g": pga_g, "probability": (pga_g >= edge_g).astype(float)}
+    fell = np.full(pga_g.size, np.nan) if building_g is None else (pga_g >= building_g)
+    return pd.DataFrame({**table, "probability_building": fell})
+
+
+def told(building_g):
+    first = [np.nan if g is None else float(g < 0.3) for g in building_g]
+    return pd.DataFrame({"pga_building_g": building_g, "building_first": first}, dtype=float)
+
+
+NONE = pd.DataFrame(columns=["pga_g", "fell", "foretold"])
+
+
+def row(tables, collapse=None, checked=NONE):
+    collapse = told([None] * len(tables)) if collapse is None else collapse
+    return answer.row("W1", "how they move", 2, 1, tables, collapse, checked)
+
+
+def test_every_curve_counts_alike():
+    """Of four that fall from 0.2, 0.3, 0.4 and 0.5 g on, half have from 0.3 g on."""
+    found = row([curve(g) for g in (0.2, 0.3, 0.4, 0.5)])
+    assert found["pga_low_g"] == pytest.approx(0.2, abs=0.005)
+    assert found["pga_half_g"] == pytest.approx(0.3, abs=0.005)
+    assert found["pga_high_g"] == pytest.approx(0.5, abs=0.005)
+    assert [found[f"p_at_{g}g"] for g in (0.1, 0.2, 0.4)] == pytest.approx([0.0, 0.25, 0.75])
+    assert (found["curves"], found["motions"], found["stations"]) == (4, 2, 1)
+
+
+def test_beyond_what_was_run_a_curve_keeps_its_last_share():
+    """One whose scan ended since all fell has fallen; one that never fell has not."""
+    short, standing = curve(0.2, top_g=0.4), curve(2.0)
+    assert answer.over_curves([short, standing], [0.9]) == pytest.approx([0.5])
+    assert answer.over_curves([short], [0.01]) == [0.0]
+    found = row([standing, standing, curve(0.3)])
+    assert np.isnan(found["pga_half_g"])
+    assert found["pga_low_g"] == pytest.approx(0.3, abs=0.005)
+
+
+def test_the_building_is_told_where_it_yields_and_only_there():
+    tables = [curve(0.4, building_g=g) for g in (0.2, 0.3, 0.8)]
+    found = row(tables, told([0.2, 0.3, np.nan]))
+    assert found["pga_building_g"] == pytest.approx(0.3)
+    assert found["building_first"] == pytest.approx(1 / 3)
+    share = answer.over_curves(tables, [0.25, 0.5], "probability_building")
+    assert share == pytest.approx([1 / 3, 2 / 3])
+    elastic = row([curve(0.4)])
+    assert np.isnan([elastic["pga_building_g"], elastic["building_first"]]).all()
+    assert np.isnan(answer.over_curves([curve(0.4)], [0.5], "probability_building")).all()
+
+
+def test_yade_is_compared_with_what_the_scan_said_there():
+    """A history that failed counts for nothing; one that falls where none should is told."""
+    scan = pd.DataFrame(
+        {"pga_g": [0.1, 0.2, 0.3, 0.4], "status": ["ok", "ok", "failed", "overturned"]}
+    )
+    runs = pd.DataFrame(
+        {"pga_g": [0.11, 0.2, 0.39, 0.5], "status": ["ok", "overturned", "overturned", "failed"]}
+    )
+    found = answer.told_by_yade(scan, runs)
+    assert found.values.tolist() == [[0.11, 0, 0], [0.2, 1, 0], [0.39, 1, 1]]
+    counts = row([curve(0.3)], checked=found)
+    assert (counts["yade_fell"], counts["yade_stood"], counts["yade_otherwise"]) == (1, 1, 1)
+    assert len(answer.told_by_yade(scan[:0], runs)) == 0
+
+
+def test_the_terminal_says_it_in_a_line_a_model():
+    checked = pd.DataFrame({"pga_g": [0.2, 0.31], "fell": [0, 1], "foretold": [0, 1]})
+    tables = [curve(0.3, building_g=0.25), curve(0.4, building_g=0.25)]
+    table = pd.DataFrame(
+        [row(tables, told([0.25, 0.25]), checked), {**row([curve(3.0)] * 2), "model": "W2m"}]
+    )
+    head, first, second, building = answer.lines(table)
+    assert head.startswith("under 2 motions of 1 station half of the histories fell from a PGA of")
+    assert first.startswith("  W1   0.30 g (0 % at 0.2 g, 50 % at 0.3 g, 100 % at 0.4 g)")
+    assert first.endswith("YADE: 1 fell and 1 stood as foretold")
+    assert second.startswith("  W2m  more than was run")
+    assert "YADE" not in second
+    assert building == "  the building itself is down from 0.25 g in the median"

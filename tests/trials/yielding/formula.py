@@ -1,0 +1,144 @@
+"""What a building's strength does to half collapse: façades of the atlas, drawn, fitted, checked.
+
+    .venv/bin/python tests/trials/yielding/formula.py draw --output fit.csv --seed 71 --count 12
+    .venv/bin/python tests/trials/yielding/formula.py draw --output check.csv --seed 72 --count 10
+    .venv/bin/python tests/trials/yielding/formula.py fit fit.csv check.csv --law law.json
+
+Façades are those of the ranges of the atlas (`studies.atlas.study.design`), each before an elastic
+building and buildings of V/W 0.10, 0.18 and 0.32, under six recorded components that are drawn for
+it, in turns of direction, by short climbs. `--courses` takes the wall in four courses. The fit
+(`rocking.formula.yielding`) is of the mean over the motions of the logarithm of yielding over
+elastic; s, a and b by model. Tables that follow the first check it; the standard error written to
+the file is the root of the mean square of the first of them.
+"""
+
+import argparse
+import json
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from rocking import Case, Motion
+from rocking.collapse.quick import crossings
+from rocking.formula import law
+from rocking.formula.groups import PERIOD_S
+from rocking.records import read_table
+from rocking.tables import write_table
+from scipy.optimize import least_squares
+from studies.atlas import study as atlas
+
+SUITE = "config/suites/recorded_suite.tsv"
+RATIOS, MODELS, MOTIONS, MOST_G = (None, 0.10, 0.18, 0.32), ("W2", "W2m"), 6, 4.0
+FOUR = {"facade.courses": 4, "facade.courses_growth": 1.5}
+KEY = ["facade", "model", "record"]
+
+
+def facade_rows(model, design, number, seed, courses):
+    """Half collapse of one façade by strength and motion."""
+    names = np.random.default_rng([seed, number]).choice(list(read_table(SUITE)), MOTIONS, False)
+    keys = FOUR if courses else {"facade.courses": 0}
+    own = Case.configured(model, {**keys, "smdof.base_shear_ratio": None})
+    case, rows = atlas.facade(own, design), []
+    for k, name in enumerate(map(str, names)):
+        motion, direction = Motion.named(name, SUITE), "pos" if (number + k) % 2 else "neg"
+        for ratio in RATIOS:
+            one = case.varied({"smdof.base_shear_ratio": ratio})
+            found = crossings(one, motion, direction, {"max_pga_g": MOST_G})
+            about = {"facade": number, "model": model, "record": name, "direction": direction}
+            about |= {"ratio": ratio, "half_g": found["pga_median_g"]}
+            rows.append(about | {key: design[key] for key in atlas.DIMENSIONS})
+    return rows
+
+
+def draw(args):
+    """Write the curves of some drawn façades; those that `--output` holds are not run again."""
+    settings = {"seed": args.seed, "facades": args.count, "ranges": law.read()["made_of"]["ranges"]}
+    table = atlas.design(settings)
+    rows = pd.read_csv(args.output).to_dict("records") if args.output.exists() else []
+    known = {(row["facade"], row["model"]) for row in rows}
+    for number, design in enumerate(table.to_dict("records")):
+        for model in MODELS:
+            if (number, model) not in known:
+                rows += facade_rows(model, design, number, args.seed, args.courses)
+                write_table(rows, args.output, digits="%.8g")
+
+
+def ratios(path):
+    """A row a façade, model and strength: PGA of the elastic one, and ln of what yielding does."""
+    table, rows = pd.read_csv(path), []
+    elastic = table[table["ratio"].isna()].set_index(KEY)["half_g"]
+    for (number, model, ratio), own in table.dropna(subset="ratio").groupby(KEY[:2] + ["ratio"]):
+        first = elastic.loc[number, model].reindex(own["record"]).to_numpy()
+        both = np.isfinite(first) & np.isfinite(own["half_g"].to_numpy())
+        first, second = np.log(first[both]), np.log(own["half_g"].to_numpy()[both])
+        row = {"facade": number, "model": model, "ratio": ratio, "curves": int(both.sum())}
+        row |= {"period_s": own["period_s"].iloc[0], "pga_g": float(np.exp(first.mean()))}
+        row |= {"left_out": int((~both).sum()), "ln_ratio": float((second - first).mean())}
+        rows.append(row | {"spread": first.std(ddof=1), "spread_yielding": second.std(ddof=1)})
+    return pd.DataFrame(rows)
+
+
+def predicted(given, table):
+    """ln r of s, a and b."""
+    s, a, b = given
+    x = np.log(table["pga_g"] / table["ratio"]) + a + b * np.log(table["period_s"] / PERIOD_S)
+    return s * np.maximum(0.0, x)
+
+
+def fitted(table):
+    """s, a and b by least squares, the best of some beginnings."""
+    begins = [(s, a, b) for s in (0.2, 0.5) for a in (0.0, 0.5, 1.0) for b in (-0.3, 0.3)]
+    found = [
+        least_squares(lambda p: predicted(p, table) - table["ln_ratio"], start) for start in begins
+    ]
+    return min(found, key=lambda one: one.cost).x
+
+
+def fit(args):
+    """Fit to the first table, check by the others, write the law."""
+    first, *others = [(path, ratios(path)) for path in args.tables]
+    models = {}
+    for model in MODELS:
+        own = first[1][first[1]["model"] == model]
+        given = fitted(own)
+        errors = []
+        for path, table in (first, *others):
+            part = table[table["model"] == model]
+            off = predicted(given, part) - part["ln_ratio"]
+            errors.append(float(np.sqrt(np.mean(off**2))))
+            print(
+                f"{model} {path}: {len(part)} of {part['facade'].nunique()} façades, rms "
+                f"{errors[-1]:.3f} of {np.sqrt(np.mean(part['ln_ratio'] ** 2)):.3f}, mean "
+                f"{off.mean():+.3f}, largest {off.abs().max():.3f}; spread over motions "
+                f"{part['spread'].mean():.2f}, yielding {part['spread_yielding'].mean():.2f}; "
+                f"{part['left_out'].sum()} curves left out"
+            )
+        models[model] = dict(zip("sab", (round(float(v), 4) for v in given), strict=True))
+        models[model]["error"] = round(errors[1] if others else errors[0], 4)
+        print(model, models[model])
+    made = {"facades": int(first[1]["facade"].nunique()), "motions": MOTIONS, "loops": "bilinear"}
+    text = {"lowest": min(RATIOS[1:]), "made_of": made, "models": models}
+    if args.law:
+        args.law.write_text(json.dumps(text, indent=1) + "\n", encoding="utf-8")
+
+
+def main():
+    """Command line."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    verbs = parser.add_subparsers(required=True)
+    one = verbs.add_parser("draw")
+    one.add_argument("--output", type=Path, required=True)
+    one.add_argument("--seed", type=int, required=True)
+    one.add_argument("--count", type=int, default=8)
+    one.add_argument("--courses", action="store_true", help="the wall in four courses")
+    one.set_defaults(does=draw)
+    two = verbs.add_parser("fit")
+    two.add_argument("tables", type=Path, nargs="+")
+    two.add_argument("--law", type=Path, help="file to write")
+    two.set_defaults(does=fit)
+    args = parser.parse_args()
+    args.does(args)
+
+
+if __name__ == "__main__":
+    main()

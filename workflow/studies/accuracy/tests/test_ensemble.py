@@ -1,0 +1,144 @@
+"""Perturbed ensembles: realisations, where they are run, bands."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from scipy import stats
+from studies.accuracy import ensemble
+from yade_process import resolved
+
+from yade_scripts.commands import perturb, search
+
+SETTINGS = resolved()["ensemble"]
+NUMERICS = resolved()["numerics"]
+
+
+def table(pga_g, capacity, realisations):
+    """Ensemble of façades whose capacities are known; d/b grows linearly up to collapse."""
+    rows = [
+        {
+            "pga_g": g,
+            "realisation": i,
+            "collapsed": int(g * realisations[i] >= capacity),
+            "d_over_b": min(1.0, 0.8 * g * realisations[i] / capacity),
+            "status": "overturned" if g * realisations[i] >= capacity else "ok",
+        }
+        for g in pga_g
+        for i in range(len(realisations))
+    ]
+    return pd.DataFrame(rows)
+
+
+def test_bands_of_a_known_distribution_of_capacities():
+    """Capacities uniform in ±10 %: a share linear in 1/PGA, and d/b at its own percentiles."""
+    factors = np.linspace(0.9, 1.1, 2001)
+    grid = np.array([0.3, 0.39, 0.4, 0.42])
+    found = ensemble.bands(table(grid, 0.4, factors))
+    # collapse when g ≥ 0.4/factor: the share at g is P(factor ≥ 0.4/g)
+    expected = np.clip((1.1 - 0.4 / grid) / 0.2, 0.0, 1.0)
+    assert found["probability"].to_numpy() == pytest.approx(expected, abs=1e-3)
+    low, middle, high = (found[f"d_over_b_{name}"].iloc[0] for name in ("low", "median", "high"))
+    assert [low, middle, high] == pytest.approx(0.6 * np.array([0.92, 1.0, 1.08]), rel=1e-3)
+
+
+def test_failed_realisations_do_not_count():
+    rows = table([0.3, 0.5], 0.4, np.ones(10))
+    spoilt = rows.copy()
+    spoilt.loc[[0, 1, 2], ["status", "d_over_b", "collapsed"]] = ["failed", np.nan, np.nan]
+    got, whole = ensemble.bands(spoilt), ensemble.bands(rows)
+    assert got["realisations"].tolist() == [7, 10]
+    assert got["probability"].tolist() == whole["probability"].tolist() == [0.0, 1.0]
+    assert ensemble.bands([]).empty
+
+
+def test_realisations_are_seeded_nested_and_within_their_spread():
+    few, many = (perturb.draw_realisations({**SETTINGS, "realisations": n}) for n in (5, 40))
+    assert few == many[:5]
+    assert many != perturb.draw_realisations({**SETTINGS, "realisations": 40, "seed": 7})
+    amplitudes = np.array([m.amplitude_factor for m in many])
+    assert np.all(np.abs(amplitudes - 1.0) <= SETTINGS["amplitude_spread"])
+    assert amplitudes.std() == pytest.approx(SETTINGS["amplitude_spread"] / np.sqrt(3), rel=0.25)
+    assert all(0.9 <= m.step_factor <= 1.0 for m in many)  # never beyond the stated step
+    assert {m.extra_nodes for m in many} == {0, 1, 2}
+    only = perturb.draw_realisations({**SETTINGS, "perturb": ["amplitude"]})
+    assert {(m.step_factor, m.extra_nodes) for m in only} == {(1.0, 0)}
+
+
+def test_perturbed_numerics_change_step_and_nodes_only():
+    realisation = perturb.Realisation(1, 1.0, 0.95, 2)
+    out = perturb.perturbed_numerics(NUMERICS, realisation)
+    changed = {k for k in NUMERICS if out[k] != NUMERICS[k]}
+    assert changed == {"nodes_thickness", "nodes_height", "nodes_per_block", "step_fraction"}
+    assert out["step_fraction"] == pytest.approx(0.95 * NUMERICS["step_fraction"])
+    bricks = {**NUMERICS, "nodes_height": None}  # W3 has no nodes up a wall
+    assert perturb.perturbed_numerics(bricks, realisation) == {**out, "nodes_height": None}
+
+
+def test_sensitivity_is_measured_from_half_the_collapse_intensity():
+    curve = {0.1: "ok", 0.2: "ok", 0.3: "ok", 0.35: "failed", 0.4: "overturned", 0.5: "overturned"}
+    assert perturb.probe_intensities(curve) == [0.2, 0.3, 0.4]
+
+
+def searched(falls, done, **more):
+    """Outcomes once the search for the band has ended, and how many runs it took."""
+    settings, found = {**SETTINGS, **more}, dict(done)
+    while (g := search.next_amplitude(found, settings, resolved()["ida"])) is not None:
+        assert g not in found
+        found[g] = "overturned" if falls(g) else "ok"
+    return found, len(found) - len(done)
+
+
+@pytest.mark.parametrize("threshold", [0.3602, 0.384, 0.3999])
+def test_search_closes_in_on_a_threshold(threshold):
+    """One change: its neighbours end within 0.5 %, its window within as much, in few runs."""
+    found, runs = searched(lambda g: g >= threshold, {0.2: "ok", 0.36: "ok", 0.4: "overturned"})
+    low, high = (
+        max(g for g, s in found.items() if s == "ok"),
+        min(g for g, s in found.items() if s != "ok"),
+    )
+    assert low < threshold <= high < 1.0052 * low
+    window = np.array(sorted(g for g in found if abs(g / threshold - 1.0) < 0.012))
+    assert np.diff(np.log(window)).max() < 0.0055
+    above = np.array(sorted(g for g in found if g >= high))
+    assert above[-1] > 1.2 * threshold
+    assert np.diff(np.log(above)).max() < 1.3 * resolved()["ida"]["search_ratio"]
+    assert runs < 25
+
+
+def test_search_finds_the_gap_above_a_separate_range_and_leaves_failures():
+    def falls(g):
+        return 0.30 < g < 0.33 or g > 0.36
+
+    found, _ = searched(falls, {0.28: "ok", 0.31: "overturned"})
+    outcome = [falls(g) for g in sorted(found)]
+    assert np.flatnonzero(np.diff(outcome)).size == 3
+    for edge in (0.30, 0.33, 0.36):
+        assert min(g for g in found if g >= edge) / max(g for g in found if g <= edge) < 1.0055
+    assert search.next_amplitude({0.3: "ok"}, SETTINGS, resolved()["ida"]) is None
+    done = {0.3: "ok", 0.3119: "overturned", **dict.fromkeys((0.3059,), "failed")}
+    assert all(g > 0.3119 for g in set(searched(lambda g: True, done)[0]) - set(done))
+
+
+def test_more_realisations_are_needed_where_the_spread_is_wide():
+    rng = np.random.default_rng(0)
+    narrow, wide = (
+        ensemble.realisations_needed(0.4 + s * rng.standard_normal(400), 0.05, 1)
+        for s in (0.01, 0.15)
+    )
+    assert narrow == 3
+    # the median of n normal values has a deviation of 1.2533 σ/√n; 90 % within 1.645 of it
+    expected = (1.645 * 1.2533 * 0.15 / 0.05) ** 2
+    assert wide == pytest.approx(expected, rel=0.4)
+
+
+def test_so_many_realisations_hold_the_median_of_draws():
+    """Of a uniform spread the median of n is distributed as Beta((n + 1)/2, (n + 1)/2)."""
+    values = (np.arange(4000) + 0.5) / 4000
+    for tolerance in (0.1, 0.2):
+        half = [(n, (n + 1) / 2) for n in range(3, 200, 2)]
+        inside = {
+            n: stats.beta.cdf(0.5 + tolerance, a, a) - stats.beta.cdf(0.5 - tolerance, a, a)
+            for n, a in half
+        }
+        expected = next(n for n, share in inside.items() if share >= 0.9)
+        assert abs(ensemble.realisations_needed(values, tolerance, 1) - expected) <= 4

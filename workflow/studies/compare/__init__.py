@@ -1,0 +1,1 @@
+"""Runs side by side: a grid, scenarios, or finished runs by name."""

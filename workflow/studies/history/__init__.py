@@ -1,0 +1,1 @@
+"""One history of one model at one intensity: columns, picture, animation, files for ParaView."""
