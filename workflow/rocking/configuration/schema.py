@@ -60,9 +60,9 @@ class ConfigError(ValueError):
 
 def files(folder: Path = FOLDER) -> list[tuple[str, Path]]:
     """Name of the section and schema file: those of a folder; of the core's, then the studies'."""
-    found = sorted(folder.glob(f"*{ENDING}"))
-    found += sorted(STUDIES.glob(f"*/*{ENDING}")) if folder == FOLDER else []
-    return [(path.name.removesuffix(ENDING), path) for path in found]
+    paths = sorted(folder.glob(f"*{ENDING}"))
+    paths += sorted(STUDIES.glob(f"*/*{ENDING}")) if folder == FOLDER else []
+    return [(path.name.removesuffix(ENDING), path) for path in paths]
 
 
 def read(path: Path) -> dict:

@@ -16,12 +16,6 @@ STATED = {  # keys that an assessment does not take from the case study
     "assessment": ("confidence_factor",),
 }
 
-SETTLED = (  # keys that say what holds a façade while it is shaken
-    *("floor_friction", "anchor_plate_m", "masonry_shear_mpa", "masonry_compression_mpa"),
-    "confidence_factor",
-)
-GOVERNS = "W2m"  # the model that the rate rests on, where it is among a run's
-
 RODS = ("diameter_mm", "length_m")  # of a row of ties that is there
 
 

@@ -1,7 +1,7 @@
 # The answer of codes of practice compared with the dynamic one: a report for one façade. Over many façades:
 # code_against_dynamics.smk.
 from studies.assess import inputs as assessed
-from studies.assess.inputs import GOVERNS, SETTLED
+from studies.assess.held import GOVERNS, SETTLED
 from rocking.stations import turns
 
 COMMIT = version.commit(40) or "none"

@@ -22,7 +22,7 @@ from rocking.tables import read_frame
 
 from studies.assess.anchors import completed
 from studies.assess.dynamic_check import Limits, limits_with
-from studies.assess.inputs import SETTLED
+from studies.assess.held import SETTLED
 from studies.assess.sites import EXTENT, WHOLE_PART
 
 COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "side", "pga_fails_g"]

@@ -6,7 +6,7 @@ import pandas as pd
 from rocking.stations import FEWEST
 
 from studies.assess.dynamic_check import LEAST_DRAWS, surely
-from studies.assess.inputs import GOVERNS
+from studies.assess.held import GOVERNS
 from studies.assess.shaken import CORNER, FAR, REFUSED, STOCKY
 from studies.assess.walls import named as wall_named
 
