@@ -53,7 +53,7 @@ def last_rise(curves):
 
 def draw_checks(strip, names, checked):
     """YADE's runs of every model in a row of its own."""
-    said = "YADE: filled where it fell, open where it stood"
+    said = "YADE: filled where it fell, open where it stood" if len(checked) else "no run compared"
     if (checked["fell"] != checked["foretold"]).any():
         said += "; crossed out: not as foretold"
     strip.set_title(said, loc="left", fontsize=7.5)
