@@ -130,7 +130,7 @@ def test_a_building_that_yields_late_is_the_elastic_one_and_a_weak_one_spares_th
         assert elastic < weak < weaker
         share = part["s"] * math.log(ground / elastic)
         assert math.log(weaker / weak) == pytest.approx(share * math.log(0.12 / 0.10))
-        x = yielding.excess(elastic, 0.12, ROW["period_s"], part)
+        x = yielding.excess(elastic, 0.12, part)
         assert math.log(weak / elastic) == pytest.approx(share * x)
         in_pgv = [
             law.said({**ROW, **more}, model, "pgv_cm_s")[0]

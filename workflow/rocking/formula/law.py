@@ -93,7 +93,7 @@ def said(row, model, measure="pga_g", base=None, law=None):
         own_g, ground_g = (
             math.exp(_elastic(row, name, "pga_g", base, found, law)[0]) for name in (model, "W1")
         )
-        more, its_error = yielding.log_ratio(own_g, ground_g, ratio, row["period_s"], model)
+        more, its_error = yielding.log_ratio(own_g, ground_g, ratio, model)
         value, error = value + more, math.hypot(error, its_error)
     return math.exp(value), law["models"][model][measure]["dispersion"], error
 

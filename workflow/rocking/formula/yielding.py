@@ -2,14 +2,13 @@
 
 Walls that move with an elastic building cost a façade L = ln(C_W1/C), with C the PGA of half
 collapse before it and C_W1 that with walls that move with the ground. A building that yields passes
-less on, and gives a part of L back. At C an elastic chain would carry e^a (T1/0.27 s)^b C/g of its
-weight; where that exceeds V/W its storeys yield before the façade falls, and half collapse comes
-later by
+less on, and gives a part of L back. At C an elastic chain would carry e^a C/g of its weight; where
+that exceeds V/W its storeys yield before the façade falls, and half collapse comes later by
 
-    ln r = s max(0, L) max(0, x),   x = ln[(C/g)/(V/W)] + a + b ln(T1/0.27 s).
+    ln r = s max(0, L) max(0, x),   x = ln[(C/g)/(V/W)] + a.
 
-s, a and b are fitted by model, of bilinear storeys with 2 % hardening (`tests/trials/yielding`);
-r is one number for every measure.
+s and a are fitted by model, of bilinear storeys with 2 % hardening (`tests/trials/yielding`); r is
+one number for every measure.
 """
 
 import json
@@ -17,7 +16,7 @@ import math
 from functools import lru_cache
 from pathlib import Path
 
-from rocking.formula.groups import PERIOD_S, OutsideError
+from rocking.formula.groups import OutsideError
 from rocking.shipped import shipped
 
 FILE = shipped("config/formula_yielding.json")
@@ -34,12 +33,12 @@ def read(path=FILE):
     return law
 
 
-def excess(pga_g, ratio, period_s, part):
-    """x, see above; PGA before an elastic building [g], V/W, T1 [s], and a model's part."""
-    return math.log(pga_g / ratio) + part["a"] + part["b"] * math.log(period_s / PERIOD_S)
+def excess(pga_g, ratio, part):
+    """x, see above; PGA before an elastic building [g], V/W, and a model's part."""
+    return math.log(pga_g / ratio) + part["a"]
 
 
-def log_ratio(pga_g, ground_g, ratio, period_s, model, law=None):
+def log_ratio(pga_g, ground_g, ratio, model, law=None):
     """ln r, and its standard error.
 
     Parameters
@@ -48,8 +47,6 @@ def log_ratio(pga_g, ground_g, ratio, period_s, model, law=None):
         Half collapse before an elastic building, and with walls that move with the ground (W1) [g].
     ratio : float
         V/W.
-    period_s : float
-        T1.
     model : str
         One of the file's.
     law : dict, optional
@@ -63,7 +60,7 @@ def log_ratio(pga_g, ground_g, ratio, period_s, model, law=None):
             f"formula: base_shear_ratio = {ratio:.4g}: the formula has {law['lowest']:g} and more"
         )
     part, lost = law["models"][model], math.log(ground_g / pga_g)
-    beyond = excess(pga_g, ratio, period_s, part)
+    beyond = excess(pga_g, ratio, part)
     if beyond <= 0.0 or lost <= 0.0:
         return 0.0, 0.0
     return part["s"] * lost * beyond, part["error"]
