@@ -17,11 +17,13 @@ author = "the contributors"
 root_doc = "docs/index"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 
-include_patterns = ["*.md", "docs/**", "config/README.md", "workflow/studies/**/*.md"]
+include_patterns = ["*.md", "docs/**", "config/README.md", "config/*/README.md"]
+include_patterns += ["workflow/studies/**/*.md"]
 exclude_patterns = ["results", "build", ".*", "docs/examples", "docs/paper"]  # to copy, to send
 myst_heading_anchors = 3
 # reached from other pages, and by search
 OFF_NAVIGATION = ("docs/changes/", "docs/keys/", "docs/record")
+OFF_NAVIGATION += ("config/experiments/", "config/predictions/")
 STUDIES = ROOT / "workflow" / "studies"
 LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s#]+)[^)\s]*\)")
 

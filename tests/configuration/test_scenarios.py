@@ -20,7 +20,6 @@ from rocking.configuration.config import (
 )
 
 ROOT = Path(__file__).resolve().parents[2]
-LEAVES = list(schema.leaves(schema.whole()))
 
 
 def test_a_grid_gives_every_combination():
@@ -109,12 +108,34 @@ def test_faults_of_a_study_are_named(config, message):
 def test_the_page_follows_the_schemas(capsys):
     assert docs.main(["--check"]) == 0, "run python -m rocking.configuration.docs"
     overview = docs.README.read_text("utf-8")
-    for path, _ in LEAVES:
-        name, _, key = path.partition(".") if "." in path else ("top_level", "", path)
-        study = None if name == "top_level" else docs.study_of(name)
-        page = study / "keys.md" if study else docs.KEYS / f"{name}.md"
-        assert f"| `{key}` |" in page.read_text("utf-8")
-        assert study or f"`{key}`" in overview
+    for name, file in schema.files():
+        study = None if file.parent == schema.FOLDER else file.parent
+        stem = "top_level" if name == schema.TOP else name
+        page = study / "keys.md" if study else docs.KEYS / f"{stem}.md"
+        for key, _ in schema.leaves(schema.read(file)):
+            assert f"| `{key}` |" in page.read_text("utf-8")
+            assert study or f"`{key}`" in overview
+
+
+def test_a_study_adds_keys_to_a_section_of_the_core_and_takes_none(tmp_path, monkeypatch):
+    core, studies = tmp_path / "schemas", tmp_path / "studies"
+    text = "properties: {{{}: {{type: number, default: 1}}}}"
+    for path, keys in (
+        (core / "run.schema.yaml", "seed"),
+        (core / "walls.schema.yaml", "count"),
+        (studies / "a" / "walls.schema.yaml", "colour"),
+    ):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text.format(keys))
+    monkeypatch.setattr(schema, "FOLDER", core)
+    monkeypatch.setattr(schema, "STUDIES", studies)
+    schema.sections.cache_clear()
+    assert [*schema.sections(core)["walls"]["properties"]] == ["count", "colour"]
+    (studies / "a" / "walls.schema.yaml").write_text(text.format("count"))
+    schema.sections.cache_clear()
+    with pytest.raises(ValueError, match="walls.count stands elsewhere too"):
+        schema.sections(core)
+    schema.sections.cache_clear()
 
 
 def test_drift_of_the_page_is_found(tmp_path, monkeypatch, capsys):

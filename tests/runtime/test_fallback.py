@@ -3,7 +3,7 @@
 from types import SimpleNamespace
 
 import pytest
-from rocking.runtime import interrupts, progress, scheduling, terminal, warm
+from rocking.runtime import interrupts, progress, terminal, warm
 from rocking.runtime.fallback import expect_parameters, left_out_if_unknown
 from snakemake.script import PythonScript
 
@@ -20,7 +20,6 @@ def dag(**more):
     "lean",
     [
         lambda: warm.serve(SimpleNamespace(dag=SimpleNamespace())),
-        lambda: scheduling.choose_at_ends_only(SimpleNamespace(scheduler=SimpleNamespace())),
         lambda: progress.tasks_of(SimpleNamespace(dag=SimpleNamespace())),
         lambda: progress.tasks_of(SimpleNamespace(dag=dag(), scheduler=SimpleNamespace())),
         lambda: progress.tasks_of(
@@ -29,7 +28,7 @@ def dag(**more):
         lambda: interrupts.heed(SimpleNamespace()),
         lambda: terminal.thin_out(SimpleNamespace()),
     ],
-    ids=["scripts", "scheduling", "progress", "finished", "running", "interrupts", "terminal"],
+    ids=["scripts", "progress", "finished", "running", "interrupts", "terminal"],
 )
 def test_without_what_it_leans_on_it_is_left_out_with_a_line(lean, capsys):
     before = PythonScript.execute_script

@@ -114,6 +114,7 @@ def way(function):
         sys.setprofile(before)
 
 
+@pytest.mark.filterwarnings("ignore:damping.law")
 @pytest.mark.parametrize("model", registry.WITH_WALLS)
 def test_a_configuration_comes_to_a_scene_by_few_modules_without_climbing(model):
     """From the resolved configuration to what YADE's bodies are made of."""

@@ -34,7 +34,7 @@ from rocking.runtime import (
     made_of,
     progress,
 )
-from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
+from rocking.runtime import results_folder, run_lock, stamps, terminal, warm
 from rocking.runtime.fallback import left_out_if_unknown
 from rocking.runs import CurveKey, Runs
 from rocking.runs.names import any_of
@@ -105,7 +105,9 @@ def stamped(path):
     try:
         return str(stamps.stamp(path))
     except OSError as error:
-        stop(f"{error.filename}: {error.strerror}: expected a file or none; move away what is there")
+        stop(
+            f"{error.filename}: {error.strerror}: expected a file or none; move away what is there"
+        )
 
 
 def code(script, study=None):
@@ -276,8 +278,6 @@ onstart:
                 configuration.write_resolved(resolved, f"{RESULTS}/{name}/config.yaml", choices)
         except (run_lock.Busy, ValueError, OSError) as error:
             stop(error)
-        with left_out_if_unknown("choosing jobs at ends only"):
-            scheduling.choose_at_ends_only(workflow)
         with left_out_if_unknown("lines of progress"):
             tasks = progress.tasks_of(workflow, RUNS.known_runs)
             # none on a cluster, which has no such number

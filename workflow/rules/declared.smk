@@ -19,12 +19,12 @@ def figure_by(source, title, category, result, about=None, params=None, **inputs
     **inputs
         Tables and facts that it takes.
     """
-    own = source.rpartition("/")[2]
+    rule_name = source.rpartition("/")[2]
     folder = BASE / "workflow" if source.startswith("studies/") else BASE / "workflow" / "scripts"
 
     rule:
         name:
-            own
+            rule_name
         input:
             **inputs,
         output:
@@ -118,7 +118,7 @@ def walls_of(rule_name, cases, path, **needed):
     **needed
         Files that the list names.
     """
-    own = "_".join([rule_name, *(f"{{{n}}}" for n in get_wildcard_names(path) if n != "run")])
+    log_name = "_".join([rule_name, *(f"{{{n}}}" for n in get_wildcard_names(path) if n != "run")])
 
     rule:
         name:
@@ -131,9 +131,9 @@ def walls_of(rule_name, cases, path, **needed):
         output:
             path,
         log:
-            logs(own),
+            logs(log_name),
         benchmark:
-            benchmarks(own)
+            benchmarks(log_name)
         params:
             yade=YADE,
         shell:

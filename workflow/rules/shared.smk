@@ -1,6 +1,7 @@
-# What runs share (rocking/runs/shared.py), in each run's folder too. One that is asked for alone, or was
-# deleted, is a copy: Snakemake dates what a job made to the present, and a link is dated with what it is a
-# link to, so that all that was computed from that would be due again. The next `shared_files` links it.
+# Files that runs share (rocking/runs/shared.py) lie in each run's folder too. A shared file that is asked
+# for alone, or was deleted, comes back as a copy. A link would not do: Snakemake sets the date of a job's
+# output to the present, a link passes that date on to its target, and all that was computed from the target
+# would be due again. The next `shared_files` replaces the copy by a link.
 COPY = "cp -p {params.files:q} {params.folder:q}/ 2> {log:q}"
 SHARED_FILES = (
     rules.record.output,

@@ -181,7 +181,8 @@ def _storeys(config, blocks, masses):
     if not masses or not yields(config["smdof"]):
         return []
     heights = [blocks[i].centre_m[2] for i in masses]
-    return sliders(config, building_mass(config), masses, heights)
+    chain, whole_m = config["smdof"], config["facade"].building_top_m
+    return sliders(chain, whole_m / chain["n_dof"], building_mass(config), masses, heights)
 
 
 def _base_motion(config, kind, motions):
@@ -206,10 +207,10 @@ def _along_the_facade(blocks, motions):
 
 def _without_drag(nodes, even):
     """`Nodes` of a list, without dashpots along dry joints of these names."""
-    found = nodes.done()
-    of_courses = np.isin(found.joint, [nodes.joints.index(name) for name in even])
-    found.drag[of_courses & (found.kind == DRY)] = NO_DRAG
-    return found
+    columns = nodes.done()
+    of_courses = np.isin(columns.joint, [nodes.joints.index(name) for name in even])
+    columns.drag[of_courses & (columns.kind == DRY)] = NO_DRAG
+    return columns
 
 
 def _even(joints, tops):
@@ -238,8 +239,8 @@ def _stand(beds, blocks, shape, columns, release_ratio, walls_stand, base):
         rotation_rad=rotation,
         lever_m=shape.lever_m,
     )
-    blocks += pieces(facade, shape, upright) if shape.hinges_m else [upright]
     stiffness = hinge_stiffness(facade.e_mpa, shape)
+    blocks += pieces(facade.floors, stiffness, shape, upright) if shape.hinges_m else [upright]
     for k, z in enumerate(shape.hinges_m, 1):
         beds.bed(f"hinge {k}", k + 1, k, z, float(stiffness[k - 1]), meets=shape.joint_at(z))
 
@@ -255,25 +256,25 @@ class Beds:
         gauss = np.array([-0.5, 0.5]) * (self.facade.width_m / math.sqrt(3.0))
         self.columns = MIDDLE if planar else (gauss, np.array([0.5, 0.5]))  # x and weights
 
-    def base(self, facade, ground, *, origin=(0.0, 0.0), protrusion_m=0.0, columns=None):
+    def base(self, block, ground, *, origin=(0.0, 0.0), protrusion_m=0.0, columns=None):
         """Add the joint between the façade's base and the ground, blocks by their indices.
 
         `origin` is x of the façade's middle and y of its back face, `protrusion_m` how far each
         node across the thickness stands below the base; `columns` are other places in x and
         weights than those of the joints above it.
         """
-        own, points, weights = self.facade, self.points, self.weights
-        b, standing = own.thickness_m, own.width_m - shape_of(own).base_lost_m
+        facade, points, weights = self.facade, self.points, self.weights
+        b, standing = facade.thickness_m, facade.width_m - shape_of(facade).base_lost_m
         low = np.broadcast_to(protrusion_m, points.shape)
         line = np.stack([origin[0] + 0 * points, origin[1] + points * b, 0 * points - low], axis=1)
         columns = columns or self.columns
         places, areas = over_columns(line, weights * b * standing, columns)
         gaps = np.tile(-low, len(columns[0]))
-        jkn = base_jkn(own) * np.tile(shares(own, weights) / weights, len(columns[0]))
-        jks = own.shear_stiffness_ratio * jkn
-        held_by = {"beta_s": self.beta_s, **bond(own), "gap_m": gaps}
+        jkn = base_jkn(facade) * np.tile(shares(facade, weights) / weights, len(columns[0]))
+        jks = facade.shear_stiffness_ratio * jkn
+        held_by = {"beta_s": self.beta_s, **bond(facade), "gap_m": gaps}
         self.nodes.add_joint(
-            BASE, facade, ground, places, (0, 0, 1), areas, Interface(jkn, jks, **held_by)
+            BASE, block, ground, places, (0, 0, 1), areas, Interface(jkn, jks, **held_by)
         )
 
     def bed(self, name, upper, lower, height_m, jkn, *, load="", meets=None):
@@ -283,16 +284,16 @@ class Beds:
         transmits no shear. Else the joint has the base's friction and bond. `meets` are faces
         (y0, y1) and lost width, see `Shape.joint_at`; None: the whole thickness and width.
         """
-        own = self.facade
-        y0, y1, lost = meets or (0.0, own.thickness_m, 0.0)
-        b, width = y1 - y0, own.width_m - lost
+        facade = self.facade
+        y0, y1, lost = meets or (0.0, facade.thickness_m, 0.0)
+        b, width = y1 - y0, facade.width_m - lost
         points, weights = self.points, self.weights
         if load == "point":
             points, weights = np.array([0.5]), np.array([1.0])
         line = np.stack([0 * points, y0 + points * b, height_m + 0 * points], axis=1)
         places, areas = over_columns(line, weights * b * width, self.columns)
-        jks = (NO_SHEAR if load else own.shear_stiffness_ratio) * jkn
-        held_by = {"beta_s": self.beta_s, **(held(0.0, 0.0, 0.0) if load else bond(own))}
+        jks = (NO_SHEAR if load else facade.shear_stiffness_ratio) * jkn
+        held_by = {"beta_s": self.beta_s, **(held(0.0, 0.0, 0.0) if load else bond(facade))}
         self.nodes.add_joint(
             name, upper, lower, places, (0, 0, 1), areas, Interface(jkn, jks, **held_by)
         )

@@ -75,7 +75,7 @@ def level_loads(shape, blocks, walls, beds):
         load, share = row.load_n, 1.0 if row.has_inertia else LIGHT
         carrier = wall_behind(f"floors[{number}].height_m", row.height_m, walls, blocks)
         sunk = load / (jkn * shape.thickness_m * shape.width_m) - blocks[top].displacement_m[2]
-        own = len(blocks)
+        block = len(blocks)
         blocks.append(
             Block(
                 f"load {number}",
@@ -89,10 +89,10 @@ def level_loads(shape, blocks, walls, beds):
             )
         )
         lies = "flat" if row.is_flat else "point"
-        beds.bed(f"bearing {number}", own, top, shape.height_m, jkn, load=lies)
+        beds.bed(f"bearing {number}", block, top, shape.height_m, jkn, load=lies)
         if share < 1.0:
-            place, rest = blocks[own].centre_m, (1.0 - share) * load
-            pressing.append(Floor(f"weight {number}", own, carrier, place, rest, 1.0, 0.0))
+            place, rest = blocks[block].centre_m, (1.0 - share) * load
+            pressing.append(Floor(f"weight {number}", block, carrier, place, rest, 1.0, 0.0))
     return pressing
 
 
@@ -135,7 +135,7 @@ def facade_floors(rows, walls, blocks, shape, damping_ratio):
         slides = [hold for hold in of_floor(row) if hold.kind == FRICTION or row.mass_t]
         capacity = sum(hold.capacity_n for hold in slides)
         if load or capacity:
-            own, place = 1 + shape.piece_at(z), place_of(row, shape)
+            piece, place = 1 + shape.piece_at(z), place_of(row, shape)
             stiffness = 1e3 * row.stiffness_kn_m
-            floors.append(Floor(name, own, carrier, place, load, stiffness, capacity))
+            floors.append(Floor(name, piece, carrier, place, load, stiffness, capacity))
     return floors, links

@@ -22,18 +22,21 @@ def hinge_stiffness(e_mpa, shape):
     return e_mpa * 1e6 / (0.5 * (edges[2:] - edges[:-2]))
 
 
-def pieces(facade, shape, whole):
-    """Blocks of the pieces from the lowest up, at rest on each other as the whole on its base."""
-    sunk, found = -whole.displacement_m[2], []
+def pieces(floors, stiffness, shape, whole):
+    """Blocks of the pieces from the lowest up, at rest on each other as the whole on its base.
+
+    `floors` are those of the façade, `stiffness` as of `hinge_stiffness`.
+    """
+    sunk, blocks = -whole.displacement_m[2], []
     joints = [shape.joint_at(z) for z in shape.hinges_m]
     areas = np.array([(y1 - y0) * (shape.width_m - lost) for y0, y1, lost in joints])
-    settling = [0.0, *(1.0 / (areas * hinge_stiffness(facade.e_mpa, shape)))]
+    settling = [0.0, *(1.0 / (areas * stiffness))]
     parts = shape.pieces
     for k, (mass, centre, tensor, size) in enumerate(parts):
-        rows = [row for row in facade.floors if shape.piece_at(row.height_m) >= k]
+        rows = [row for row in floors if shape.piece_at(row.height_m) >= k]
         above = GRAVITY_M_S2 * sum(part[0] for part in parts[k:])
         sunk += settling[k] * sum([above, *(row.load_n for row in rows)])
-        found.append(
+        blocks.append(
             replace(
                 whole,
                 name=f"{whole.name} {k + 1}",
@@ -46,4 +49,4 @@ def pieces(facade, shape, whole):
                 lever_m=None,
             )
         )
-    return found
+    return blocks

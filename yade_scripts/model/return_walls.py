@@ -78,7 +78,7 @@ def _contact(parts, tall_m, total_m, nodes_up, planar, slope=0.0):
     those up a block whose contact is in one part, and up one that is cut into several. Each row is
     (middle_m, positions_m, areas_m2).
     """
-    found, (whole, cut) = [], nodes_up
+    contacts, (whole, cut) = [], nodes_up
     for foot, length, y, lost, strips in parts:
         count = whole if len(parts) == 1 else max(3, 1 + math.ceil((cut - 1) * length / tall_m))
         points, weights = gauss_lobatto(count)
@@ -89,8 +89,8 @@ def _contact(parts, tall_m, total_m, nodes_up, planar, slope=0.0):
             length = length * math.hypot(1.0, slope)
         columns = MIDDLE if planar else _middles(strips)
         places, areas = over_columns(line, weights * length * (total_m - lost), columns)
-        found.append((middle, places, areas))
-    return found
+        contacts.append((middle, places, areas))
+    return contacts
 
 
 def add_return_walls(beds, kind, blocks, motions, shape, stands):
@@ -123,7 +123,7 @@ def add_return_walls(beds, kind, blocks, motions, shape, stands):
         if kind.chain and not kind.two_way:
             raised = facade.base_height_m
             motion = motion_of(wall["motion"], raised + middle, whole, masses, motions)
-        own = walls[number] = len(blocks)
+        block = walls[number] = len(blocks)
         blocks.append(
             Block(
                 f"{WALL} {number}",
@@ -136,8 +136,8 @@ def add_return_walls(beds, kind, blocks, motions, shape, stands):
             )
         )
         if hanging:
-            hanging.hang(own, 0.0)
-        _join(beds, kind, own, blocks[own].name, shape, low, tall)
+            hanging.hang(block, 0.0)
+        _join(beds, kind, block, blocks[block].name, shape, low, tall)
     behind = list(walls.values())
     if hanging:
         return behind, hanging.finish(behind), hanging.masses
@@ -151,8 +151,8 @@ def _parts(kind, wall):
     return PARTS if kind.chain and wall["motion"] == "interpolated" else 1
 
 
-def _join(beds, kind, own, name, shape, low_m, tall_m):
-    """Add the joints of a return wall's block `own`, a span up the façade's height, with it."""
+def _join(beds, kind, block, name, shape, low_m, tall_m):
+    """Add the joints of a return wall's block, a span up the façade's height, with it."""
     config, facade, wall = beds.config, beds.facade, beds.config["return_wall"]
     cut = config["numerics"][kind.nodes_up]
     nodes_up = 1 + math.ceil((cut - 1) / _parts(kind, wall)), cut
@@ -170,7 +170,7 @@ def _join(beds, kind, own, name, shape, low_m, tall_m):
     for part, (at_m, places, areas) in enumerate(contact, 1):
         joint = name if len(contact) == 1 else f"{name} part {part}"
         piece = 1 + shape.piece_at(at_m)
-        beds.nodes.add_joint(joint, piece, own, places, (0, 1, shape.slope), areas, interface)
+        beds.nodes.add_joint(joint, piece, block, places, (0, 1, shape.slope), areas, interface)
 
 
 def _chain_of(walls, config, blocks, mass_kg, size_m):

@@ -51,15 +51,19 @@ def storey_height(case):
 
 
 def storeys_of(case, mass_kg=1.0):
-    """`StoreyRules` of a case whose chain has that mass in all; `NO_STOREYS` where it is elastic.
+    """`StoreyRules` of a case whose chain has that mass in all, see `rules_of`."""
+    return rules_of(case["smdof"], storey_height(case), mass_kg)
+
+
+def rules_of(chain, height_m, mass_kg):
+    """`StoreyRules` of section smdof, its storeys so high; `NO_STOREYS` where it is elastic.
 
     V_y,i = (V/W) W Σ_{j ≥ i} z_j / Σ_j z_j for equal masses at heights z_j: the horizontal forces
     of the linear static analysis (NTC 2018 eq. 7.3.7, EN 1998-1 eq. 4.11).
     """
-    chain = case["smdof"]
     if not yields(chain):
         return NO_STOREYS
-    n, height = chain["n_dof"], storey_height(case)
+    n = chain["n_dof"]
     _, stiffness, _ = chain_matrices(chain, mass_kg)
     k = np.full(n, float(stiffness[-1, -1]))
     z = np.arange(1.0, n + 1.0)
@@ -75,30 +79,30 @@ def storeys_of(case, mass_kg=1.0):
         float(chain["hardening"]),
         float(chain["unloading"]),
         float(chain["flag_share"]) if law == FLAG else 1.0,
-        loss * height if falls else NEVER_M,
-        1.0 / max((lost - loss) * height, 1e-12) if falls else 0.0,
+        loss * height_m if falls else NEVER_M,
+        1.0 / max((lost - loss) * height_m, 1e-12) if falls else 0.0,
         float(chain["residual"]) if falls else 1.0,
     )
 
 
-def sliders(case, mass_kg, masses, heights_m):
+def sliders(chain, storey_m, mass_kg, masses, heights_m):
     """What yields of the storeys between masses of a scene: bilinear loops, as `bars.Floor`.
 
-    A storey is a spring α k (`chain.chain_links`) and beside it one of (1 − α) k that slides at
-    (1 − α) V_y. `masses` are indices of blocks from the lowest up; block 0 is the ground. None
-    where the chain is elastic.
+    `chain` is section smdof, its storeys `storey_m` high. A storey is a spring α k
+    (`chain.chain_links`) and beside it one of (1 − α) k that slides at (1 − α) V_y. `masses` are
+    indices of blocks from the lowest up; block 0 is the ground. None where the chain is elastic.
 
     Raises
     ------
     ValueError
         In one line, for other loops, and for strength that falls.
     """
-    storeys = storeys_of(case, mass_kg)
-    if len(storeys.k_n_m) and not slides(case["smdof"]):
+    storeys = rules_of(chain, storey_m, mass_kg)
+    if len(storeys.k_n_m) and not slides(chain):
         raise ValueError(
             f"smdof.loops = {LAWS[storeys.law]}, loss_drift_ratio = "
-            f"{case['smdof']['loss_drift_ratio']}: expected bilinear and null, which sliders can "
-            f"do, where walls carry the building's mass ({case.get('model', 'W2m')})"
+            f"{chain['loss_drift_ratio']}: expected bilinear and null, which sliders can do, where "
+            "walls carry the building's mass"
         )
     soft, found = 1.0 - storeys.hardening, []
     for i, (k, u_y) in enumerate(zip(storeys.k_n_m, storeys.yield_m, strict=True)):

@@ -19,12 +19,12 @@ ENDS = 2.0  # of the prestretch: never reached, neither by force nor by lengthen
 
 def thrust_ties(rows, walls, blocks, shape):
     """Ties that stand for thrusts, `Facade.thrusts`; arguments as of `ties.facade_ties`."""
-    found = []
+    ties = []
     for number, row in enumerate(rows, 1):
         force, z = row.force_n, row.height_m
         carrier = wall_behind(f"thrusts[{number}].height_m", z, walls, blocks)
         y = 0.5 * sum(shape.faces_at(z))
-        found.append(
+        ties.append(
             Tie(
                 f"thrust {number}",
                 1 + shape.piece_at(z),
@@ -37,7 +37,7 @@ def thrust_ties(rows, walls, blocks, shape):
                 ENDS * PRESTRETCH_M,
             )
         )
-    return found
+    return ties
 
 
 def leaning(floors, thrusts, shape):

@@ -78,11 +78,11 @@ class Seen:
     @property
     def reach(self):
         """Of each what `hidden.reach` says; NaN of what did not stand."""
-        found, stood = np.full(self.pga_g.size, np.nan), np.flatnonzero(self.status == "ok")
+        reached, stood = np.full(self.pga_g.size, np.nan), np.flatnonzero(self.status == "ok")
         stood = stood[np.argsort(self.pga_g[stood], kind="stable")]
         low_g = self.pga_g.min(initial=math.inf)
-        found[stood] = reach(self.pga_g[stood], self.swings[stood], low_g)
-        return found
+        reached[stood] = reach(self.pga_g[stood], self.swings[stood], low_g)
+        return reached
 
     def reaches(self, d_over_b):
         """Mask of the amplitudes that fell or came so far."""
@@ -270,14 +270,14 @@ def crossings(start_g, max_pga_g, ratio):
         lower = yield from first(below, CHUNK)
         lowest = lower if math.isfinite(lower) else lowest
     fine = 1.0 + 2.0 * SPREAD / MEMBERS
-    low, k, seen, found = lowest / BELOW_FIRST * (1.0 - SPREAD), 0, Seen(), (math.nan,) * 2
+    low, k, seen, crossed = lowest / BELOW_FIRST * (1.0 - SPREAD), 0, Seen(), (math.nan,) * 2
     while low * fine**k <= max_pga_g * (1.0 + SPREAD):
         yield from seen.ask(low * fine ** np.arange(k, k + CHUNK), realisations=True)
         k += CHUNK
         valid = seen.status != "failed"
         pga_g = seen.pga_g[valid]
         share, _ = probability(pga_g, seen.fell[valid], pga_g, SPREAD)
-        found = tuple(first_crossing(pga_g, share, level) for level in LEVELS)
-        if pga_g.size and pga_g[-1] >= found[-1] * (1.0 + SPREAD):
+        crossed = tuple(first_crossing(pga_g, share, level) for level in LEVELS)
+        if pga_g.size and pga_g[-1] >= crossed[-1] * (1.0 + SPREAD):
             break
-    return found
+    return crossed

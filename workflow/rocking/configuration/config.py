@@ -16,6 +16,7 @@ from rocking.configuration import schema as config_schema
 from rocking.configuration.differences import by_path
 from rocking.configuration.facade import check_facade
 from rocking.configuration.files import changed, check_files, write_resolved
+from rocking.configuration.layers import laid_over, nest, nested
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show, value_at
 from rocking.configuration.settled import settle, settle_mass
 from rocking.configuration.storeys import check_storeys
@@ -77,11 +78,6 @@ def _rated(values: dict) -> dict[str, Any]:
     if not all(isinstance(own, dict) for own in sections) or not sections[0].get("hazard"):
         return values
     return {**values, **{name: {**RATED[name], **values.get(name, {})} for name in RATED}}
-
-
-def nested(given: Mapping) -> dict[str, Any]:
-    """Return values by section from values by section or dotted key."""
-    return _nest(config_schema.plain(given), "configuration")
 
 
 def check(resolved: Mapping) -> None:
@@ -161,9 +157,10 @@ class Settings(str):
 
     @property
     def words(self):
-        """What is set, in words; not what the workflow chooses itself, nor what there is none of.
+        """The values that are set, in words.
 
-        There is none of what an empty list says, or a 0 that is the study's: gables, gaps, courses.
+        Left out are values that the workflow chooses itself, and parts that the façade does not
+        have: an empty list, or a 0 that is the 3DEC study's (gables, gaps, courses).
         """
         usual = resolve(as_in_the_study())
         return listed(
@@ -248,7 +245,7 @@ def _scenarios(given: Any) -> dict[str, dict]:
     for name, overrides in given.items():
         if overrides is not None and not isinstance(overrides, dict):
             raise ConfigError(f"scenarios.{name} = {show(overrides)}: expected keys and values")
-        out[name] = _nest(overrides or {}, f"scenarios.{name}")
+        out[name] = nest(overrides or {}, f"scenarios.{name}")
         for key in ("run", *STUDY_KEYS):
             if key in out[name]:
                 raise ConfigError(f"scenarios.{name}.{key}: a scenario cannot set '{key}'")
@@ -303,7 +300,7 @@ def _grid(given: Any) -> dict[str, dict]:
             raise ConfigError(f"grid.{path} = {show(values)}: expected different values")
         axes.append([(label, path, point) for label, point in zip(labels, points, strict=True)])
     return {
-        "-".join(label for label, *_ in cell): _nest({path: at for _, path, at in cell}, "grid")
+        "-".join(label for label, *_ in cell): nest({path: at for _, path, at in cell}, "grid")
         for cell in itertools.product(*axes)
     }
 
@@ -315,33 +312,3 @@ def _word(value: Any) -> str:
     if isinstance(value, float):
         return format(value, ".10g").replace("+", "")
     return value if isinstance(value, str) else show(value)
-
-
-def _nest(given: dict, where: str) -> dict:
-    """Turn dotted keys into sections."""
-    out: dict[str, Any] = {}
-    for key, value in given.items():
-        head, *rest = key.split(".")
-        for part in reversed(rest):
-            value = {part: value}
-        if head in out and _both(out[head], value):
-            raise ConfigError(f"{where}.{key}: given twice")
-        out[head] = laid_over(out[head], value) if head in out else value
-    return out
-
-
-def _both(one: Any, two: Any) -> bool:
-    """Whether some value stands in both of two sections, or what is no section in either."""
-    if not (isinstance(one, dict) and isinstance(two, dict)):
-        return True
-    return any(_both(one[key], two[key]) for key in one.keys() & two.keys())
-
-
-def laid_over(given: dict, overrides: dict) -> dict:
-    """Lay overrides over what is given by section; lists and single values are replaced."""
-    out = dict(given)
-    for key, value in overrides.items():
-        old = out.get(key)
-        both = isinstance(old, dict) and isinstance(value, dict)
-        out[key] = laid_over(old, value) if both else value  # type: ignore[arg-type]
-    return out

@@ -53,7 +53,7 @@ snakemake --cores 2 --configfile config/scenarios/own_facade.yaml
 snakemake --cores 2 --configfile config/scenarios/own_facade.yaml --config 'damping={law: value}'
 ```
 
-The study with 3DEC is such a file, over which other values or another file may be laid:
+The 3DEC study is such a file, over which other values or another file may be laid:
 
 ```sh
 snakemake --configfile config/scenarios/study.yaml --config run=low models=W1 'facade={height_m: 5}'
@@ -113,12 +113,12 @@ def render() -> str:
 
 def of_folder(folder: Path) -> list[tuple[str, dict]]:
     """Sections that the schemas of a folder describe, or add keys to: the top level first."""
-    found = [
+    schemas = [
         (name, config_schema.read(path))
         for name, path in config_schema.files()
         if path.parent == folder
     ]
-    return sorted(found, key=lambda one: one[0] != config_schema.TOP)
+    return sorted(schemas, key=lambda one: one[0] != config_schema.TOP)
 
 
 def sections() -> dict[str, str]:
@@ -136,9 +136,9 @@ def studies() -> dict[Path, str]:
     for rules in sorted(config_schema.STUDIES.glob("*/rules.smk")):
         folder = rules.parent
         lines = [f"# `{folder.name}`: targets and keys", "", WRITTEN, ""]
-        if own := targets.targets(study=folder.name):
+        if there := targets.targets(study=folder.name):
             lines += ["| target | what it makes | costs |", "|---|---|---|"]
-            lines += [f"| `{name}` | {one.makes} | {one.costs} |" for name, one in own.items()]
+            lines += [f"| `{name}` | {one.makes} | {one.costs} |" for name, one in there.items()]
         else:
             lines += ["No target: its files are asked for by name, as its rules say."]
         for name, schema in of_folder(folder):

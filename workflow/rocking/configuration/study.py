@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from rocking.configuration.files import read_yaml
+from rocking.configuration.layers import laid_over, nested
 from rocking.shipped import shipped
 
 FILE = shipped("config/scenarios/study.yaml")
@@ -42,6 +43,4 @@ def as_in_the_study(given: Mapping[str, Any] | None = None) -> dict[str, Any]:
     >>> block["facade"]["courses"], block["smdof"]["base_shear_ratio"], block["beta_s"]
     (0, None, 0.00276)
     """
-    from rocking.configuration.config import laid_over, nested  # reads this module's settings
-
     return laid_over(_keys(), nested(given or {}))

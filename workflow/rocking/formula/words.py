@@ -2,6 +2,7 @@
 
 import math
 import warnings
+from typing import NamedTuple
 
 from rocking.collapse.case import SECTIONS, Case
 from rocking.configuration.config import resolve
@@ -49,32 +50,36 @@ def of_run(name, resolved):
     )
 
 
-def remarks(resolved, table):
-    """`remark` of a run's computed medians of the whole façade, where there is any to make.
+class Outlier(NamedTuple):
+    """A computed median of a model and what the formula allows for such façades [g]."""
+
+    model: str
+    computed_g: float
+    low_g: float
+    high_g: float
+
+
+def outliers(resolved, table):
+    """`outlier` of a run's computed medians of the whole façade, where there is any.
 
     The table has model, median_pga_g and stations.
     """
-    said = []
+    found = []
     for row in table.to_dict("records"):
-        found = _estimated(resolved, row["model"])
-        said += [remark(found, row["median_pga_g"], row["stations"])] if found else []
-    return [line for line in said if line]
+        own = _estimated(resolved, row["model"])
+        found += [outlier(own, row["median_pga_g"], row["stations"])] if own else []
+    return [one for one in found if one is not None]
 
 
-def remark(found, computed_g, stations):
-    """What to say of a computed median that lies outside of the formula's range; else nothing.
+def outlier(found, computed_g, stations):
+    """`Outlier` of a computed median that lies outside of the formula's range; else None.
 
     Its standard error is the formula's own, and that of a median over motions of so few stations.
     """
     if not (math.isfinite(computed_g) and computed_g > 0.0 and stations > 0):
-        return ""
+        return None
     error = math.hypot(found.error, found.dispersion / math.sqrt(stations))
     if abs(math.log(computed_g / found.median)) <= REACH * error:
-        return ""
-    side = "more" if computed_g > found.median else "less"
-    return (
-        f"{found.model}: the computed median of {computed_g:.3g} g is {side} than the formula for "
-        f"such façades allows ({found.median * math.exp(-REACH * error):.3g} to "
-        f"{found.median * math.exp(REACH * error):.3g} g). Look at what this façade or its "
-        "motions have that others have not, or for a mistake in the input."
-    )
+        return None
+    low, high = (found.median * math.exp(sign * REACH * error) for sign in (-1.0, 1.0))
+    return Outlier(found.model, computed_g, low, high)

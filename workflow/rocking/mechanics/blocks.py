@@ -128,7 +128,7 @@ def _lump(masses, move):
 
 def _pulls(rows, move, low, high):
     """`Pull`s of what holds between two points, on the vertical through the lower."""
-    found = []
+    held = []
     for row in rows:
         force, height, reach, fades, slack = Held(*row)
         if not (force >= 0.0 and low[1] < height <= high[1] and reach > slack >= 0.0):
@@ -136,8 +136,8 @@ def _pulls(rows, move, low, high):
                 f"tie: expected a force of at least 0, a height from {low[1]:g} to {high[1]:g} m "
                 f"and a reach beyond its slack, got {force:g} N, {height:g} m, {reach:g} m"
             )
-        found.append(Pull(force, move((low[0], height)), reach, fades, slack))
-    return tuple(found)
+        held.append(Pull(force, move((low[0], height)), reach, fades, slack))
+    return tuple(held)
 
 
 class Edges(NamedTuple):
@@ -191,8 +191,8 @@ def bending(name, lower, upper, edges, loads=(), held=(), pulls=(), thrusts=()):
     low, high = ([row for row in loads if (row[2] > joint[1]) is up] for up in (False, True))
     lumped = (*_lump([*lower, *low], below), *_lump([*upper, *high], above))
     lumped += _lump(held, lambda point: _part(above(point), 1))
-    own = _pulls(pulls, move, base, top) + thrusting(thrusts, move, base[0])
-    return Mechanism(name, tuple(weights), first, own, largest, pieces, lumped=lumped)
+    forces = _pulls(pulls, move, base, top) + thrusting(thrusts, move, base[0])
+    return Mechanism(name, tuple(weights), first, forces, largest, pieces, lumped=lumped)
 
 
 def _part(path, which):
@@ -249,8 +249,8 @@ def interlocking(height_m, bricks, unit_weight_n_m3):
     """
     overlap = bricks.overlap_m
     n, phi = height_m / bricks.course_height_m, bricks.course_height_m / overlap
-    one = 0.4 * n * (n + 1.0) * phi * bricks.friction * overlap**2 * bricks.return_thickness_m
-    return Held(bricks.return_walls * one * unit_weight_n_m3, height_m / 3.0, overlap, True)
+    force_n = 0.4 * n * (n + 1.0) * phi * bricks.friction * overlap**2 * bricks.return_thickness_m
+    return Held(bricks.return_walls * force_n * unit_weight_n_m3, height_m / 3.0, overlap, True)
 
 
 def two_blocks(facade, hinge_height_m):
@@ -292,7 +292,7 @@ def weakest_hinge(section):
     arm = sum(p * s for p, s in zip(loads, arms, strict=True)) / total if total else 0.0
     weight = facade.density_kg_m3 * GRAVITY_M_S2 * h * b * facade.width_m
     plain = PlainFacade(h, b, weight, 0.0, total, arm)
-    found = minimize_scalar(
+    hinge = minimize_scalar(
         lambda z: two_blocks(plain, z).multiplier(), bounds=(0.02 * h, 0.98 * h), method="bounded"
     )
-    return float(found.x)
+    return float(hinge.x)

@@ -113,13 +113,13 @@ def simulate(
     stop_m = stop_d_over_b * wall.b_m
     control = Control(duration, tolerance, longest_s, shortest_s, stop_m, fixed_s)
     angle = theta0_over_alpha * wall.alpha_rad
-    found = run(wall, motion, scale, angle, control, np.empty((ROWS, COLUMNS)))
-    return _history(wall, found, stop_d_over_b)
+    marched = run(wall, motion, scale, angle, control, np.empty((ROWS, COLUMNS)))
+    return _history(wall, marched, stop_d_over_b)
 
 
-def _history(wall, found, stop_d_over_b):
+def _history(wall, marched, stop_d_over_b):
     """`AdaptiveHistory` of what `run` returns."""
-    rows, written, peak, _, last, _, steps, rejected = found
+    rows, written, peak, _, last, _, steps, rejected = marched
     time, y, z, theta, vy, vz, omega, contact, given, d, elastic = rows[:written].T
     kinetic = 0.5 * wall.mass_kg * (vy**2 + vz**2) + 0.5 * wall.inertia_kg_m2 * omega**2
     return AdaptiveHistory(

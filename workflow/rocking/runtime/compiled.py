@@ -51,16 +51,16 @@ def _closed(path, mode):
 
 
 class KeptLoops(IndexDataCacheFile):
-    """Machine code on disk, and the index of what is of which types, written in this order.
+    """Machine code on disk and its index by types; the code is written before the index.
 
-    numba writes the index first, and after a change of the source names files in it that are there
-    already, of the source before. Who reads then, or after whoever wrote was killed then, runs the
-    old machine code, or crashes in it where types have changed. Here a file is named by what stands
-    in it, and the index names none that is not there.
+    numba writes the index first. After a change of the source that index names files of the old
+    source. A process that reads at that moment, or after the writer was killed, runs the old
+    machine code, or crashes in it where types have changed. Here a file's name is the digest of its
+    content, and the index names files that exist alone.
 
-    Machine code is run: a file that others may have written counts as not there.
+    Machine code is run, so a file that others may have written counts as missing.
 
-    What is not kept is compiled by one process at a time, and read by those that waited for it.
+    One process at a time compiles what is missing; those that waited for it read what it kept.
     """
 
     source = ""  # of the function

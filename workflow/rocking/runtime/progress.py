@@ -167,10 +167,11 @@ class Progress:
         return max(sum(left) / at_a_time, max(left, default=0.0))
 
     def unknown(self):
-        """Kinds of jobs not done that may take long, of which none has ended yet, sorted.
+        """Kinds of jobs left that may take long and have no forecast, sorted.
 
-        What another model took does not tell: it is wrong by factors of three to six. Of a job
-        whose number of runs is known, those that ended tell.
+        A kind has a forecast once one of its jobs has ended, or once runs of a job whose number of
+        runs is known have ended. The time of another model forecasts nothing: it is wrong by
+        factors of three to six.
         """
         known = {t.kind for t in self.tasks if t.took_s is not None}
         known |= {t.kind for t in self.tasks if t.runs and t.added > 0}
@@ -179,7 +180,8 @@ class Progress:
     def line(self):
         """Return one line; empty before the first job and after the last.
 
-        A time is said as the least where some of it is not known, and none where that is all.
+        Where some of the jobs left have no forecast, the line says "at least". Where none of them
+        has, it names their kinds and no time.
         """
         self.look()
         done = sum(t.took_s is not None for t in self.tasks)
@@ -192,9 +194,9 @@ class Progress:
         said = f"progress: {done} of {len(self.tasks)} jobs{added}"
         what = listed([f"{rule} of {model}" if model else rule for rule, model in unknown], 2)
         if unknown and seconds < 60.0:
-            return f"{said}, no forecast yet: nothing is known of {what}"
+            return f"{said}, no forecast before one job has ended: {what}"
         least = "at least " if self.overdue or unknown else ""
-        beside = f", beside {what}" if unknown else ""
+        beside = f", without {what}" if unknown else ""
         return f"{said}, {least}{spoken(seconds)} left{beside}"
 
     def watch(self, interval_s=INTERVAL_S, look_s=LOOK_S, stream=None):

@@ -101,17 +101,17 @@ def _free_blocks(scene):
     return free
 
 
-def _of_one_block(scene, own, column):
-    """`Planar` of a scene whose only free block is `own`; `column` numbers the moving supports."""
-    block, nodes = scene.blocks[own], scene.nodes
+def _of_one_block(scene, free, column):
+    """`Planar` of a scene whose only free block is `free`; `column` numbers the moving supports."""
+    block, nodes = scene.blocks[free], scene.nodes
     if block.free != FREEDOMS:
         raise ValueError("planar solver: expected a block that is free along y, z and about x")
     if np.any(nodes.drag != 1.0):
         raise ValueError("planar solver: expected dashpots along the joints of a single block")
-    if np.any((nodes.a == own) == (nodes.b == own)):
+    if np.any((nodes.a == free) == (nodes.b == free)):
         raise ValueError("planar solver: every node must join the block to a support")
     centre = np.array(block.centre_m)[1:]
-    groups = [_group(scene, own, centre, column, mine) for mine in grouped(nodes, centre)]
+    groups = [_group(scene, free, centre, column, mine) for mine in grouped(nodes, centre)]
     sizes = [len(group["place_m"]) for group in groups]
     order = np.concatenate([group.pop("nodes") for group in groups])
     kn = nodes.kn_n_m[order]
@@ -136,15 +136,15 @@ def _of_one_block(scene, own, column):
         thickness_m=float(scene.thickness_m),
         monitor_m=np.array(scene.monitor_point_m, float)[1:] - centre,
         foot=column.get(scene.blocks[scene.index(scene.reference)].motion, -1),
-        bars=of_scene(scene, [own], column),
+        bars=of_scene(scene, [free], column),
     )
 
 
-def _group(scene, own, centre, column, mine):
+def _group(scene, free, centre, column, mine):
     """Values of one group, its nodes in order, by the names of `Planar`."""
     nodes, i = scene.nodes, mine[0]
     place, (origin, direction) = line_of(nodes, centre, mine)
-    carried = nodes.a[i] == own
+    carried = nodes.a[i] == free
     support = scene.blocks[nodes.b[i] if carried else nodes.a[i]]
     normal = nodes.normal[i, 1:]
     return {

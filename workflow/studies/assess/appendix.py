@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass, field
 
-from studies.assess import byhand, verdict
+from studies.assess import byhand, names, verdict
 from studies.assess.anchors import completed_settings
-from studies.assess.checks import confidence
+from studies.assess.catalogue import NOTHING, Catalogue, catalogue
+from studies.assess.checks import LIMITS, confidence
 from studies.assess.demand import eta, floor_demand
 from studies.assess.family import Candidate, Family
-from studies.assess.names import kind_of, said
 from studies.assess.national import spectrum_of, stated_row
 from studies.assess.paper import Table
 from studies.assess.selection import fit_of
@@ -15,15 +15,15 @@ from studies.assess.sites import site_of
 from studies.assess.slv import readings
 from studies.assess.sources import FORMULAS
 from studies.assess.values import DEFAULT, values
+from yade_scripts.model.facades import Facade
 
-STEPS = {  # of a check, with the numbers of their formulas
-    "T_SLV": " (C8.7.1.10)",
-    "T_max": "",
-    "S_De": " (C8.7.1.2.1.8, C8.7.1.12)",
-    "a_g,SLD": " (C8.7.1.8)",
-    "a_g,SLV": " (not below a_g,SLD)",
+STEPS = {  # of a check, by their symbols: keys of `step`, and of the formulas behind
+    "T_SLV": ("secant", ("secant_slv",)),
+    "T_max": ("period_largest", ()),
+    "S_De": ("needed", ("largest", "at_height")),
+    "a_g,SLD": ("pga_onset_least", ("onset",)),
+    "a_g,SLV": ("pga_fails", ()),
 }
-FAILS_AT = "of failure"
 
 
 @dataclass
@@ -37,10 +37,13 @@ class Data:
     given: list  # keys that the user stated
     tables: dict  # by file name; verdicts and yade of all models
     run: str
-    demand_said: str
+    demand_said: str  # in the report's language
     program: str
     commit: str
     folder: str  # where the tables are, for the sources
+    say: Catalogue = field(init=False)
+    names: dict = field(init=False)  # of mechanisms, by part
+    facade: Facade = field(init=False)
     family: Family = field(init=False)
     weakest: Candidate = field(init=False)  # fails first by hand
     demand_g: float = field(init=False)  # PGA
@@ -50,10 +53,14 @@ class Data:
 
     def __post_init__(self):
         """Find the weakest mechanism of the tables among the façade's."""
-        t = self.tables
+        t, own = self.tables, self.config["assessment"]
+        self.say = catalogue(own["language"])
+        stated = verdict.as_stated(t["mechanisms"])
+        self.names = {row.part: names.name(row, self.say) for row in stated.itertuples()}
         self.config = completed_settings(self.config)
+        self.facade = Facade.of(self.config["facade"])
         self.family = Family(self.config)
-        self.weakest = self.candidate(next(verdict.as_stated(t["mechanisms"]).itertuples()))
+        self.weakest = self.candidate(next(stated.itertuples()))
         self.demand_g = t["code_checks"]["pga_demand_g"].iloc[0]
         self.relied = verdict.relied_on(t["dynamic"]["model"])
         self.fit, self.range_s = fit_of(t["selected_spectra"])
@@ -73,59 +80,58 @@ class Data:
         return confidence(own["confidence_factor"], own["hinge_inset_m"])
 
 
-def _six(value):
-    return f"{value:.6g}".replace("-", "−")
-
-
-def _parts(rows, total, whole):
+def _parts(rows, total, whole, say):
     """Table of the parts with their sums; `whole`: says what its columns are."""
+
+    def six(value):
+        return say.number(value, "six")
+
     cells = [
         (
-            p.name,
-            _six(1e-3 * p.weight_n),
-            "–" if p.y_m != p.y_m else f"{p.y_m:.4f}",
-            f"{p.z_m:.4f}",
-            *map(_six, (p.out, p.up, p.square)),
-            *map(_six, (1e-3 * p.weight_n * v for v in (p.out, p.up, p.square))),
+            say(f"hand.part.{p.key}", **p.about),
+            six(1e-3 * p.weight_n),
+            NOTHING if p.y_m != p.y_m else say.number(p.y_m, ".4f"),
+            say.number(p.z_m, ".4f"),
+            *map(six, (p.out, p.up, p.square)),
+            *map(six, (1e-3 * p.weight_n * v for v in (p.out, p.up, p.square))),
         )
         for p in rows
     ]
     sums = (1e-3 * v for v in (total.out_n, total.up_n, total.square_n))
-    cells.append(("sum", _six(1e-3 * total.weight_n), "", "", "", "", "", *map(_six, sums)))
-    said = (
-        "Parts: width × thickness of the masonry between two heights, weight and centroid (y from "
-        "the inner face of the foot outward, z above the base), and its virtual displacements for "
-        "a unit rotation of the lowest block; δx² is the mean over the part's own height."
-    )
+    head = say("hand.part.sum"), six(1e-3 * total.weight_n)
+    cells.append((*head, "", "", "", "", "", *map(six, sums)))
+    symbols = ("P [kN]", "y [m]", "z [m]", "δx", "δz", "δx²", "P δx", "P δz", "P δx²")
     return Table(
-        said if whole else "Parts.",
-        ("part", "P [kN]", "y [m]", "z [m]", "δx", "δz", "δx²", "P δx", "P δz", "P δx²"),
+        say("hand.parts.caption_whole" if whole else "hand.parts.caption"),
+        (say("hand.parts.part"), *symbols),
         cells,
-        (0.25, 0.08, 0.07, 0.07, 0.08, 0.07, 0.1, 0.1, 0.09, 0.09),
+        (0.24, 0.08, 0.07, 0.08, 0.08, 0.08, 0.1, 0.09, 0.09, 0.09),
         "",
         (len(cells) - 1,),
     )
 
 
-def _holds(rows):
+def _with(value, unit, say):
+    """A value with its unit, four figures; a mass of tonnes in whole kilograms."""
+    whole = unit == "kg" and value >= 1e3
+    return f"{say.number(value, ',.0f' if whole else '.4g')} {unit}".strip()
+
+
+def _holds(rows, say):
     """Table of what holds, with its work."""
     cells = [
         (
-            h.name,
-            f"{1e-3 * h.force_n:.4g}",
-            f"{h.height_m:.3f}",
-            f"{1e3 * h.slack_m:.3g} to {1e3 * h.reach_m:.4g}",
-            _six(h.out),
-            _six(1e-3 * h.force_n * h.out),
+            say(f"hand.hold.{h.key}"),
+            say.number(1e-3 * h.force_n, ".4g"),
+            say.number(h.height_m, ".3f"),
+            say("hand.holds.range", slack=1e3 * h.slack_m, reach=1e3 * h.reach_m),
+            say.number(h.out, "six"),
+            say.number(1e-3 * h.force_n * h.out, "six"),
         )
         for h in rows
     ]
-    return Table(
-        "What holds it: force, height, and from which to which outward way of its point it pulls.",
-        ("hold", "F [kN]", "z [m]", "pulls [mm]", "δF", "F δF"),
-        cells,
-        (0.3, 0.14, 0.14, 0.18, 0.12, 0.12),
-    )
+    own = say("hand.holds.hold"), "F [kN]", "z [m]", say("hand.holds.pulls"), "δF", "F δF"
+    return Table(say("hand.holds.caption"), own, cells, (0.3, 0.14, 0.14, 0.18, 0.12, 0.12))
 
 
 def by_hand(data, candidate, whole=True):
@@ -133,102 +139,134 @@ def by_hand(data, candidate, whole=True):
 
     Where `whole` they say how each number comes about; else they stand two in a row.
     """
+    say = data.say
+    name = names.name(candidate, say)
     if not candidate.plane:
-        return {"name": candidate.name, "tables": [_by_strips(data, candidate)]}
+        return {"name": name, "tables": [_by_strips(data, candidate)]}
     parts, holds = byhand.parts(data.family, candidate), byhand.pulled(candidate)
     total = byhand.sums(parts, holds)
     found = byhand.results(candidate, total, data.factor)
-    rows = [(s, how, f"{v:.4g} {unit}".strip()) for s, how, v, unit in found]
-    rows += _demand_of(data, candidate.part)
+    rows = [
+        (symbol, say(f"hand.how.{key}"), _with(value, unit, say))
+        for symbol, key, value, unit in found
+    ]
+    rows += _demand_of(data, candidate)
+    tables = [_parts(parts, total, whole, say), *([_holds(holds, say)] if holds else [])]
+    if not whole:
+        return {"name": name, "tables": [*tables, _paired(data, candidate, rows)]}
+    symbol, fails_g = "PGA", _fails_g(data, candidate)
+    told = say(f"hand.demand.{_passed(data, fails_g)}", demand_g=data.demand_g)
+    rows.append((symbol, told, f"{say.number(fails_g, '.4g')} g"))
     results = Table(
-        f"Capacity, demand and verdict, with FC = {data.factor:g}.",
-        ("", "how", "value"),
+        say("hand.results.caption", factor=data.factor),
+        ("", say("hand.results.how"), say("hand.results.value")),
         rows,
         (0.14, 0.66, 0.2),
         f"{data.folder}/code_steps.csv",
         (len(rows) - 1,),
     )
-    tables = [_parts(parts, total, whole), *([_holds(holds)] if holds else [])]
-    tables.append(results if whole else _paired(rows))
-    return {"name": candidate.name, "tables": tables}
+    return {"name": name, "tables": [*tables, results]}
 
 
 def _by_strips(data, candidate):
     """Table of capacity, demand and verdict of what does not turn over the whole width."""
-    part, thrust = candidate.part, data.config["assessment"]["arch_thrust_kn"]
-    row = verdict.as_stated(data.tables["mechanisms"]).set_index("part").loc[part]
+    say, thrust = data.say, data.config["assessment"]["arch_thrust_kn"]
+    stated = verdict.as_stated(data.tables["mechanisms"]).set_index("part")
+    row = stated.loc[candidate.part]
     rows = [
-        ("α0", "", f"{row['multiplier']:.4g}"),
-        ("M*", "", f"{row['participating_mass_kg']:.4g} kg"),
-        ("e*", "", f"{row['e_star']:.4g}"),
-        ("d0", "", f"{row['d0_m']:.4g} m"),
+        ("α0", "", say.number(row["multiplier"], ".4g")),
+        ("M*", "", _with(row["participating_mass_kg"], "kg", say)),
+        ("e*", "", say.number(row["e_star"], ".4g")),
+        ("d0", "", f"{say.number(row['d0_m'], '.4g')} m"),
     ]
-    words = said(kind_of(candidate), thrust_kn=thrust or 0.0)
-    return _paired(rows + _demand_of(data, part), f"{words} ")
+    told = say(f"mechanism.of_kind.{names.kind_of(candidate)}", thrust_kn=thrust or 0.0)
+    return _paired(data, candidate, rows + _demand_of(data, candidate), f"{told} ")
 
 
-def _paired(results, words=""):
-    """Table of symbols and values, three pairs in a row; the last, the verdict, in its caption."""
-    pairs, last = [(symbol, value) for symbol, _, value in results[:-1]], results[-1]
+def _paired(data, candidate, rows, before=""):
+    """Table of symbols and values, three pairs in a row; the verdict stands in its caption."""
+    say, pairs = data.say, [(symbol, value) for symbol, _, value in rows]
     third = -(-len(pairs) // 3)
     columns = [pairs[k * third : (k + 1) * third] for k in range(3)]
-    rows = [
+    cells = [
         tuple(word for c in columns for word in (c[k] if k < len(c) else ("", "")))
         for k in range(third)
     ]
-    said = f"{words}{last[0]} {last[1].replace(FAILS_AT, f'{FAILS_AT} {last[2]}')}."
-    return Table(said, ("",) * 6, rows, (0.17, 0.16, 0.17, 0.17, 0.17, 0.16))
+    fails_g = _fails_g(data, candidate)
+    about = {"pga_g": fails_g, "demand_g": data.demand_g}
+    told = before + say(f"hand.verdict.{_passed(data, fails_g)}", **about)
+    return Table(told, ("",) * 6, cells, (0.17, 0.16, 0.17, 0.17, 0.17, 0.16))
 
 
-def _demand_of(data, part):
-    """Rows of the demand on a mechanism, and where it fails."""
+def _checked(data, candidate):
+    """Steps of the non-linear SLV checks of a mechanism by place, each by symbol."""
     steps = data.tables["code_steps"]
-    own, rows, fails = steps[steps["part"] == part], [], []
-    for key, words in (("slv_ground", "ground"), ("slv_height", "floor")):
-        found = own[own["check"] == key].set_index("symbol")
-        if found.empty:
-            continue
-        for symbol, number in STEPS.items():
-            step = found.loc[symbol]
-            value = f"{step['value']:.4g} {step['unit']}"
-            rows.append((f"{symbol}, {words}", f"{step['meaning']}{number}", value))
-        fails.append(float(found.loc["a_g,SLV", "value"]))
-    least, demand_g = min(fails), data.demand_g
-    words = "it passes, beyond" if least >= demand_g else "it fails, short of"
-    rows.append(("PGA", f"{FAILS_AT}: {words} the demand's {demand_g:.4g} g", f"{least:.4g} g"))
+    own = steps[steps["part"] == candidate.part]
+    for check, place in (("slv_ground", "ground"), ("slv_height", "floor")):
+        found = own[own["check"] == check].set_index("symbol")
+        if len(found):
+            yield place, found
+
+
+def _fails_g(data, candidate):
+    """PGA at which the non-linear SLV check of a mechanism fails [g], of ground and floor."""
+    return min(float(steps.loc["a_g,SLV", "value"]) for _, steps in _checked(data, candidate))
+
+
+def _passed(data, fails_g):
+    return "passes" if fails_g >= data.demand_g else "fails"
+
+
+def _demand_of(data, candidate):
+    """Rows of the demand on a mechanism: symbol, how, value."""
+    say, rows = data.say, []
+    for place, steps in _checked(data, candidate):
+        word = say(f"hand.demand.place.{place}")
+        about = {"ground": {}, "floor": {"place": candidate.place}}[place]
+        where = say(f"step.where.{place}", **about)
+        for symbol, (key, formulas) in STEPS.items():
+            given = {"secant": {"factor": LIMITS["SLV"][1]}, "needed": {"where": where}}
+            how = say(f"step.{key}", **given.get(key, {}))
+            if formulas:
+                numbers = ", ".join(say(f"formula.{name}.number") for name in formulas)
+                how = say("hand.demand.cited", how=how, numbers=numbers)
+            step = steps.loc[symbol]
+            value = f"{say.number(step['value'], '.4g')} {step['unit']}"
+            rows.append((say("hand.demand.symbol", symbol=symbol, place=word), how, value))
     return rows
+
+
+def _national(data):
+    """Rows of the spectrum of NTC 2018 that is the demand; none where another one is."""
+    own, say = data.config["assessment"], data.say
+    if own["spectrum"] or own["en_spectrum"] or (row := stated_row(own)) is None:
+        return []
+    demand = spectrum_of(row, own["soil"], own["topography"])
+    ss, st, tb, tc, td = demand.factors
+    where = {"soil": own["soil"], "topography": own["topography"]}
+    hazard = {"ag_g": row["ag_g"], "f0": row["f0"], "tc_s": row["tc_star_s"]}
+    return [
+        ("a_g, F0, T_C*", say("hand.spectrum.hazard", **hazard)),
+        ("S_S, S_T", say("hand.spectrum.soil", ss=ss, st=st, **where)),
+        ("T_B, T_C, T_D", say("hand.spectrum.periods", tb=tb, tc=tc, td=td)),
+        ("PGA", say("hand.spectrum.pga", pga_g=demand.pga_g)),
+        ("η", say("hand.spectrum.eta", slv=eta(0.08), slc=eta(0.10))),
+    ]
 
 
 def spectrum(data):
     """Numbers behind the demand's spectra on the ground and on the weakest mechanism's floor."""
-    own, chain = data.config["assessment"], data.config["smdof"]
-    rows = [("demand", data.demand_said)]
-    if not own["spectrum"] and (row := stated_row(own)) is not None:
-        demand = spectrum_of(row, own["soil"], own["topography"])
-        ss, st, tb, tc, td = demand.factors
-        rows = [
-            ("a_g, F0, T_C*", f"{row['ag_g']:.4g} g, {row['f0']:.4g}, {row['tc_star_s']:.4g} s"),
-            (
-                "S_S, S_T",
-                f"{ss:.4g}, {st:.4g} (subsoil {own['soil']}, topography {own['topography']})",
-            ),
-            ("T_B, T_C, T_D", f"{tb:.4g}, {tc:.4g}, {td:.4g} s"),
-            ("PGA", f"a_g S_S S_T = {demand.pga_g:.4g} g"),
-            ("η", f"√(10/(5 + ξ)) = {eta(0.08):.4g} at 8 %, {eta(0.10):.4g} at 10 %"),
-        ]
-    period = chain["period_s"] * own["building_period_factor"]
+    own, chain, say = data.config["assessment"], data.config["smdof"], data.say
+    rows = _national(data) or [(say("hand.spectrum.demand"), data.demand_said)]
+    period_s = chain["period_s"] * own["building_period_factor"]
     place = data.weakest.place
     (share,) = floor_demand(None, place, chain).share
-    storeys = f"{chain['n_dof']} equal storeys" if chain["n_dof"] > 1 else "one storey"
-    floor = (
-        f"first mode of {storeys}, T1 = {period:.4g} s; taken at {place:.4g} of the eaves' height, "
-        "the middle of what holds the part, where the mode times its participation, |γ1 ψ1|, is "
-        f"{abs(share):.4g}"
-    )
+    about = {"period_s": period_s, "place": place, "share": abs(share)}
+    floor = say.count("hand.spectrum.of_floor", chain["n_dof"], **about)
     return Table(
-        "The demand: S_De(T) = S_e(T) T²/4π² on the ground; on the floor by C7.2.5–8.",
+        say("hand.spectrum.caption"),
         ("", ""),
-        [*rows, ("floor", floor)],
+        [*rows, (say("hand.spectrum.floor"), floor)],
         (0.2, 0.8),
         f"{data.folder}/spectra.csv",
     )
@@ -242,39 +280,47 @@ def others(data):
 
 def motions(data):
     """Table of the motions of the dynamic check, and lines on their source and licence."""
-    found = data.tables["selected_motions"].fillna("")
+    say, found = data.say, data.tables["selected_motions"].fillna("")
+    if found.empty:
+        return Table(say("hand.motions.none"), ("",), [], (1.0,)), []
     rows = [
-        (r.record, r.station, r.component, r.event, f"{r.factor:.3f}", f"{r.pga_g:.3f}")
+        (
+            *(r.record, r.station, r.component, r.event),
+            *(say.number(value, ".3f") for value in (r.factor, r.pga_g)),
+        )
         for r in found.itertuples()
     ]
-    if found.empty:
-        said = "No motions were chosen: the dynamic check was not made."
-        return Table(said, ("",), [], (1.0,)), []
+    keys = ("motion", "station", "component", "event", "factor", "pga")
     table = Table(
-        "Motions, each scaled by its factor so that their mean fits the demand's spectrum (picture "
-        "of the dynamic check).",
-        ("motion", "station", "component", "event", "factor", "PGA [g]"),
+        say("hand.motions.caption"),
+        tuple(say(f"hand.motions.{key}") for key in keys),
         rows,
         (0.16, 0.1, 0.14, 0.4, 0.1, 0.1),
         f"{data.folder}/selected_motions.csv",
     )
-    said = found[["source", "licence"]].drop_duplicates().itertuples(index=False)
     lines = []
-    for source, licence in said:
-        of = f"Licence: {licence}." if licence else "Its file states no licence."
-        lines.append(f"Source: {source or 'not stated'} {of}")
+    for source, licence in found[["source", "licence"]].drop_duplicates().itertuples(index=False):
+        source = source or say("hand.motions.no_source")
+        if licence:
+            lines.append(say("hand.motions.licence", source=source, licence=licence))
+        else:
+            lines.append(say("hand.motions.no_licence", source=source))
     return table, lines
 
 
-def formulas():
+def formulas(say):
     """Table of every formula and how it was read."""
-    return Table(
-        "Official wording: the text in a public transcription with page numbers. "
-        "Transcription: a formula in the same place, from the page's image.",
-        ("document", "number", "formula or rule", "read as"),
-        [(f.document, f.number, f.text, f.status) for f in FORMULAS.values()],
-        (0.17, 0.15, 0.52, 0.16),
-    )
+    rows = [
+        (
+            say(f"formula.document.{one.document}"),
+            say(f"formula.{key}.number"),
+            say(f"formula.{key}.text"),
+            say(f"formula.read.{one.read}"),
+        )
+        for key, one in FORMULAS.items()
+    ]
+    head = tuple(say(f"formula.head.{key}") for key in ("document", "number", "text", "read"))
+    return Table(say("formula.caption"), head, rows, (0.17, 0.15, 0.52, 0.16))
 
 
 def stated(data):
@@ -282,19 +328,22 @@ def stated(data):
 
     Rows of floors, openings, ties and the hazard stand in one line each.
     """
+    say = data.say
     rows: dict[tuple, list] = {}
-    for key, value, standing in values(data.config, data.given):
+    for key, value, standing in values(data.config, data.given, say):
         if standing == DEFAULT:
             continue
         place, _, last = key.rpartition(".")
         listed = place[-1:].isdigit()
-        words = f"{last} {value}" if listed else value
-        rows.setdefault((place if listed else key, standing), []).append(words)
-    cells = [(key, ", ".join(words), standing) for (key, standing), words in rows.items()]
+        told = f"{last} {value}" if listed else value
+        rows.setdefault((place if listed else key, standing), []).append(told)
+    cells = [
+        (key, "; ".join(told), say(f"hand.stated.{standing}"))
+        for (key, standing), told in rows.items()
+    ]
     return Table(
-        "Stated: in the user's file; derived: from other values, or by a rule of the code. All "
-        "others, at their defaults, are in values.csv of the evidence.",
-        ("key", "value", ""),
+        say("hand.stated.caption"),
+        (say("hand.stated.key"), say("hand.stated.value"), ""),
         cells,
         (0.3, 0.6, 0.1),
         f"{data.folder}/values.csv",

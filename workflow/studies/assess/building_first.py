@@ -11,7 +11,6 @@ from rocking.stations import FEWEST
 
 from studies.assess.comparison import EXACT
 from studies.assess.dynamic_answer import CONFIDENCE
-from studies.assess.verdict import g3, per_cent
 
 COLUMNS = ["model", "curves", "stations", "building_median_g", "building_dispersion"]
 COLUMNS += ["building_fell_at_demand", "building_probability", "building_low", "building_high"]
@@ -87,16 +86,14 @@ def said(data):
     share = row.building_probability
     if not np.isfinite(share):
         share = row.building_fell_at_demand / row.curves
-    drift = 100.0 * data.config["smdof"]["fallen_drift_ratio"]
-    line = (
-        f"At the demand a storey of the building comes to {drift:g} % of drift with a probability "
-        f"of {per_cent(share)} ({row.model}); it does before the façade falls in "
-        f"{per_cent(row.building_first)} of the motions."
+    words = data.say(
+        "page.building.first",
+        drift=100.0 * data.config["smdof"]["fallen_drift_ratio"],
+        share=share,
+        model=row.model,
+        before=row.building_first,
     )
     if row.beyond_building:
-        line += (
-            f" The façade's median, {g3(row.facade_median_g)} g, lies beyond the building's, "
-            f"{g3(row.building_median_g)} g: what is said of the façade there is of one whose "
-            "building is down."
-        )
-    return line
+        medians = {"facade_g": row.facade_median_g, "building_g": row.building_median_g}
+        words += " " + data.say("page.building.beyond", **medians)
+    return words

@@ -19,9 +19,13 @@ from studies.assess.family import NEAR_M
 
 
 class Part(NamedTuple):
-    """A band of masonry or a load: weight, centroid, virtual displacements of the whole of it."""
+    """A band of masonry or a load: weight, centroid, virtual displacements of the whole of it.
 
-    name: str
+    Its name is a key of `hand.part` in the catalogue, with the values that it names.
+    """
+
+    key: str
+    about: dict
     weight_n: float
     y_m: float
     z_m: float
@@ -31,9 +35,12 @@ class Part(NamedTuple):
 
 
 class Pulled(NamedTuple):
-    """A hold that a mechanism passes: force, height, reach, virtual displacement of its point."""
+    """A hold that a mechanism passes: force, height, reach, virtual displacement of its point.
 
-    name: str
+    Its name is a key of `hand.hold` in the catalogue.
+    """
+
+    key: str
     force_n: float
     height_m: float
     slack_m: float
@@ -68,12 +75,14 @@ def _band(masonry, low_m, high_m, masses, move, held):
     square = 0.0 if held else sum(w * x**2 for w, x, _ in rates) / weight
     middle = 0.5 * (low_m + high_m)
     back, front = masonry.faces(middle)
-    shape = f"{masonry.width(middle):.3g} × {front - back:.3g} m"
+    key, about = "band", {"low_m": low_m, "high_m": high_m, "thick_m": front - back}
     if masonry.gable_m > NEAR_M and low_m >= masonry.top_m - masonry.gable_m - NEAR_M:
-        shape = f"gable, {front - back:.3g} m"
+        key = "gable"
+    else:
+        about["width_m"] = masonry.width(middle)
     y = sum(w * y for w, y, _ in masses) / weight
     z = sum(w * z for w, _, z in masses) / weight
-    return Part(f"{low_m:.2f}–{high_m:.2f} m, {shape}", weight, y, z, out, up, square)
+    return Part(key, about, weight, y, z, out, up, square)
 
 
 def parts(family, candidate):
@@ -103,7 +112,7 @@ def _wedges(masses, move):
         sum(w * value for w, value in rows) / weight
         for rows in zip(*(((w, x), (w, v), (w, x**2)) for w, x, v in rates), strict=True)
     )
-    return Part("wedges of the return walls", weight, y, z, out, up, square)
+    return Part("wedges", {}, weight, y, z, out, up, square)
 
 
 def _loads(family, candidate):
@@ -117,13 +126,14 @@ def _loads(family, candidate):
         move = next((m for _, high, m in pieces if z <= high + NEAR_M), pieces[-1][2])
         out, up = rate(move((y, z)), 0.0)
         out = 0.0 if fixed else out
-        found.append(Part(f"load at {z:.2f} m", weight, y, z, out, up, out**2))
+        found.append(Part("load", {"height_m": z}, weight, y, z, out, up, out**2))
     last = pieces[-1][2]
     if held is None:
         for weight, z in family.pushes:
             if weight and z > foot + NEAR_M:
                 out, _ = rate(last((last((0.0, z))(0.0)[0].real, z)), 0.0)
-                found.append(Part(f"pushes at {z:.2f} m", weight, math.nan, z, out, 0.0, out**2))
+                about = {"height_m": z}
+                found.append(Part("pushes", about, weight, math.nan, z, out, 0.0, out**2))
     return found
 
 
@@ -132,9 +142,9 @@ def pulled(candidate):
     found = []
     for pull in candidate.mechanism.pulls:
         height = pull.path(0.0)[1].real
-        name = "courses" if pull.fades else "tie or anchor" if pull.force_n > 0.0 else "thrust"
+        key = "courses" if pull.fades else "tie" if pull.force_n > 0.0 else "thrust"
         out = rate(pull.path, 0.0)[0]
-        found.append(Pulled(name, pull.force_n, height, pull.slack_m, pull.reach_m, out))
+        found.append(Pulled(key, pull.force_n, height, pull.slack_m, pull.reach_m, out))
     return sorted(found, key=lambda row: row.height_m)
 
 
@@ -164,7 +174,7 @@ def turned(candidate, share):
 
 
 def results(candidate, found, confidence_factor):
-    """Rows (symbol, how, value, unit) of a mechanism's capacity, from its sums and FC."""
+    """Rows (symbol, key of how, value, unit) of a mechanism's capacity, from its sums and FC."""
     g = GRAVITY_M_S2
     alpha = (found.up_n + found.pull_n) / found.out_n
     mass = found.out_n**2 / (g * found.square_n)
@@ -173,21 +183,19 @@ def results(candidate, found, confidence_factor):
     theta0, d0 = mechanism.ultimate()
     theta, control, out, up, pull = turned(candidate, checks.LIMITS["SLV"][0])
     per = mechanism.participation()[2]
-    why = "0.4 d0" if abs(control - 0.4 * d0) < 1e-9 else "where a tie or an anchor gives way"
+    why = "dc_share" if abs(control - 0.4 * d0) < 1e-9 else "dc_link"
     at = (up + pull) / out
-    height = "of the opening joint"
-    if candidate.held_m is None:
-        height = "height of the control point over the hinge, times sin θ0"
+    acceleration = at * G_M_S2 / (share * confidence_factor)
     return [
-        ("α0", "(Σ P δz + Σ F δF)/Σ P δx (C8.7.1.1)", alpha, ""),
-        ("M*", "(Σ P δx)²/(g Σ P δx²)", mass, "kg"),
-        ("e*", "g M*/Σ P of what moves (C8.7.1.5)", share, ""),
-        ("θ0", "rotation at which α vanishes", theta0, "rad"),
-        ("d0", height, d0, "m"),
-        ("dC", f"displacement at SLV: {why} (C8.7.1.2.1.6)", control, "m"),
-        ("θ", "rotation there", theta, "rad"),
-        ("α(dC)", "(Σ P δz + Σ F δF)/Σ P δx of the turned position", at, ""),
-        ("d*/dC", "Σ P δx²/(δC Σ P δx) (C8.7.1.4)", per, ""),
-        ("d_SLV", "dC d*/dC", control * per, "m"),
-        ("a", "α(dC) g/(e* FC) (C8.7.1.3)", at * G_M_S2 / (share * confidence_factor), "m/s²"),
+        ("α0", "alpha", alpha, ""),
+        ("M*", "mass", mass, "kg"),
+        ("e*", "e_star", share, ""),
+        ("θ0", "theta0", theta0, "rad"),
+        ("d0", "d0" if candidate.held_m is None else "d0_joint", d0, "m"),
+        ("dC", why, control, "m"),
+        ("θ", "theta", theta, "rad"),
+        ("α(dC)", "alpha_dc", at, ""),
+        ("d*/dC", "per", per, ""),
+        ("d_SLV", "slv", control * per, "m"),
+        ("a", "a", acceleration, "m/s²"),
     ]

@@ -13,6 +13,7 @@ from rocking.mechanics.closed_forms import GRAVITY_M_S2, block
 from rocking.records import G_M_S2
 from rocking.records.intensity_measures import HOUSNER_S
 
+from studies.assess.catalogue import SAY
 from studies.assess.demand import displacement, largest_displacement
 from studies.assess.sources import cited
 
@@ -87,19 +88,28 @@ def linear(mechanism, demand, where, *, confidence_factor=1.0, behaviour=BEHAVIO
     peak = demand.acceleration(t0_s)
     capacity, fails = behaviour * start, behaviour * damage
     steps = (
-        ("α0", "multiplier that sets the mechanism off", alpha, "-"),
-        ("e*", "participating mass ratio", ratio, "-"),
-        ("FC", "confidence factor", confidence_factor, "-"),
-        ("a_SLD", "α0 g/(e* FC), onset", start, "g"),
-        ("T0", "period before the onset; 0 where walls behind hold it", t0_s, "s"),
-        ("a_g,SLD", "PGA at the onset", damage, "g"),
-        ("q", "behaviour factor", behaviour, "-"),
-        ("q a_SLD", "capacity", capacity, "g"),
-        ("a(T0)", f"acceleration {where}", peak, "g"),
+        ("α0", SAY("step.multiplier"), alpha, "-"),
+        ("e*", SAY("step.mass_ratio"), ratio, "-"),
+        ("FC", SAY("step.confidence"), confidence_factor, "-"),
+        ("a_SLD", SAY("step.onset"), start, "g"),
+        ("T0", SAY("step.period_before"), t0_s, "s"),
+        ("a_g,SLD", SAY("step.pga_onset"), damage, "g"),
+        ("q", SAY("step.behaviour"), behaviour, "-"),
+        ("q a_SLD", SAY("step.capacity"), capacity, "g"),
+        ("a(T0)", SAY("step.acceleration", where=where), peak, "g"),
     )
     first = "onset_free" if t0_s else "onset"
     source = cited("multiplier", "mass", first, "confidence", "behaviour", "floor_peak")
-    return Check(f"linear, {where}", source, capacity, peak, "g", demand.pga_g, fails, steps)
+    return Check(
+        SAY("step.name_linear", where=where),
+        source,
+        capacity,
+        peak,
+        "g",
+        demand.pga_g,
+        fails,
+        steps,
+    )
 
 
 def capacity_at(mechanism, displacement_m, confidence_factor, t0_s=0.0):
@@ -128,7 +138,7 @@ def nonlinear(mechanism, demand, where, limit="SLV", *, confidence_factor=1.0, t
     _, ratio, per_control = _shares(mechanism)
     ultimate = mechanism.ultimate()[1]
     control, broken = mechanism.limit(share) if limit == "SLV" else (share * ultimate, False)
-    why = "where a tie or an anchor gives way" if broken else f"{share} d0"
+    why = SAY("step.gives_way") if broken else SAY("step.share_d0", share=share)
     d = control * per_control
     a = capacity_at(mechanism, control, confidence_factor, t0_s)
     if a <= 0.0:
@@ -138,20 +148,20 @@ def nonlinear(mechanism, demand, where, limit="SLV", *, confidence_factor=1.0, t
     damage = onset(mechanism, demand, confidence_factor, t0_s)[1]
     fails = max(demand.pga_g * d / needed, damage)
     steps = (
-        ("d0", "control point's displacement at which α vanishes", ultimate, "m"),
-        ("d*/d_C", "oscillator's displacement over the control point's", per_control, "-"),
-        (f"d_{limit}", f"of the oscillator: capacity, {why}", d, "m"),
-        (f"a(d_{limit})", "α g/(e* FC)", a / G_M_S2, "g"),
-        (f"T_{limit}", f"{factor}π√(d/a)", period, "s"),
-        ("ξ", "damping of the demand", damping, "-"),
-        ("T_max", "period of the largest displacement demand up to there", at, "s"),
-        ("S_De", f"displacement demand {where}", needed, "m"),
-        ("a_g,SLD", "PGA at the onset: not less is taken", damage, "g"),
-        (f"a_g,{limit}", "PGA at which the check just fails", fails, "g"),
+        ("d0", SAY("step.ultimate"), ultimate, "m"),
+        ("d*/d_C", SAY("step.per_control"), per_control, "-"),
+        (f"d_{limit}", SAY("step.of_oscillator", why=why), d, "m"),
+        (f"a(d_{limit})", SAY("step.capacity_acceleration"), a / G_M_S2, "g"),
+        (f"T_{limit}", SAY("step.secant", factor=factor), period, "s"),
+        ("ξ", SAY("step.damping"), damping, "-"),
+        ("T_max", SAY("step.period_largest"), at, "s"),
+        ("S_De", SAY("step.needed", where=where), needed, "m"),
+        ("a_g,SLD", SAY("step.pga_onset_least"), damage, "g"),
+        (f"a_g,{limit}", SAY("step.pga_fails"), fails, "g"),
     )
     secant = f"secant_{limit.lower()}"
     keys = ("acceleration", "displacement", "limits", secant, "largest", "at_height", "floor")
-    name = f"non-linear {limit}, {where}"
+    name = SAY("step.name_nonlinear", limit=limit, where=where)
     return Check(name, cited(*keys), d, needed, "m", demand.pga_g, fails, steps)
 
 
@@ -194,17 +204,17 @@ def eurocode(mechanism, demand, where, limit="SD", *, knowledge=1, crushes=False
     gamma = MODEL_FACTOR[knowledge] * (1.0 if crushes else INFINITE_STRENGTH)
     capacity, fails = d / gamma, demand.pga_g * d / (gamma * needed)
     steps = (
-        ("λ0", "multiplier that sets the mechanism off", alpha, "-"),
-        ("d0*", "oscillator's displacement at which it vanishes", ultimate * per_control, "m"),
-        (f"d_{limit}", f"{share} d0*", d, "m"),
-        ("a*", "λ0 (1 − d/d0) g/e*, or λ(d) of ties and anchors", a / G_M_S2, "g"),
-        (f"T_{limit}", "1.6π√(d/a*)", period, "s"),
-        ("γ_Rd", "model factor", gamma, "-"),
-        ("γ_Sd", "action factor, assumed", ACTION_FACTOR, "-"),
-        (f"d_{limit}/γ_Rd", "capacity", capacity, "m"),
-        ("γ_Sd S_De", f"demand {where}", needed, "m"),
+        ("λ0", SAY("step.multiplier"), alpha, "-"),
+        ("d0*", SAY("step.ultimate_oscillator"), ultimate * per_control, "m"),
+        (f"d_{limit}", SAY("step.share", share=share), d, "m"),
+        ("a*", SAY("step.eurocode_acceleration"), a / G_M_S2, "g"),
+        (f"T_{limit}", SAY("step.eurocode_secant"), period, "s"),
+        ("γ_Rd", SAY("step.model_factor"), gamma, "-"),
+        ("γ_Sd", SAY("step.action_factor"), ACTION_FACTOR, "-"),
+        (f"d_{limit}/γ_Rd", SAY("step.capacity"), capacity, "m"),
+        ("γ_Sd S_De", SAY("step.demand", where=where), needed, "m"),
     )
-    name = f"EN 1998-3 {limit}, {where}"
+    name = SAY("step.name_eurocode", limit=limit, where=where)
     return Check(name, cited("rocking"), capacity, needed, "m", demand.pga_g, fails, steps)
 
 
@@ -242,16 +252,16 @@ def parts(mechanism, demand, height_m, building_m, period_s, *, response_factor=
     per_pga = high * shape * response_factor
     force = min(demand.pga_g * per_pga, FORCE_LIMIT)
     steps = (
-        ("C(0)", "PGA", demand.pga_g, "g"),
-        ("h_i", "height of the part's support", height_m, "m"),
-        ("C_Hi", "floor height coefficient", high, "-"),
-        ("T_p", "period of the part", period_s, "s"),
-        ("C_i", "part spectral shape coefficient", shape, "-"),
-        ("C_ph R_p", "response and risk factors", response_factor, "-"),
-        ("F_ph/W_p", "demand", force, "-"),
-        ("α0", "capacity: multiplier that sets the mechanism off", alpha, "-"),
+        ("C(0)", SAY("step.pga"), demand.pga_g, "g"),
+        ("h_i", SAY("step.support"), height_m, "m"),
+        ("C_Hi", SAY("step.height_coefficient"), high, "-"),
+        ("T_p", SAY("step.part_period"), period_s, "s"),
+        ("C_i", SAY("step.shape_coefficient"), shape, "-"),
+        ("C_ph R_p", SAY("step.response_factor"), response_factor, "-"),
+        ("F_ph/W_p", SAY("step.force"), force, "-"),
+        ("α0", SAY("step.capacity_multiplier"), alpha, "-"),
     )
-    name = f"parts, T_p = {period_s:.2g} s, h_i = {height_m:.3g} m"
+    name = SAY("step.name_parts", period_s=period_s, height_m=height_m)
     fails = math.inf if alpha >= FORCE_LIMIT else alpha / per_pga
     return Check(name, cited("parts"), alpha, force, "-", demand.pga_g, fails, steps)
 
@@ -276,11 +286,11 @@ def housner(height_m, thickness_m, demand):
     needed = math.sqrt(8.0 * GRAVITY_M_S2 * lift / 3.0) / math.cos(alpha)
     given = mean_pseudo_velocity(demand)
     steps = (
-        ("α", "slenderness atan(b/h)", alpha, "rad"),
-        ("R", "half diagonal", radius, "m"),
-        ("p", "√(3g/4R)", p, "rad/s"),
-        ("V", "velocity that turns the block over", needed, "m/s"),
-        ("S_v", "mean pseudo-velocity, 0.1 to 2.5 s", given, "m/s"),
+        ("α", SAY("step.slenderness"), alpha, "rad"),
+        ("R", SAY("step.half_diagonal"), radius, "m"),
+        ("p", SAY("step.block_frequency"), p, "rad/s"),
+        ("V", SAY("step.velocity"), needed, "m/s"),
+        ("S_v", SAY("step.pseudo_velocity"), given, "m/s"),
     )
-    name, fails = "Housner's energy", demand.pga_g * needed / given
+    name, fails = SAY("step.name_housner"), demand.pga_g * needed / given
     return Check(name, cited("energy"), needed, given, "m/s", demand.pga_g, fails, steps)

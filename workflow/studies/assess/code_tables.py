@@ -108,6 +108,7 @@ def mechanism_row(one, found, tie_kn, kind, letter_g):
         "held_m": one.held_m,
         "side": one.side,
         **{key: getattr(one, key) for key in EXTENT},
+        "at_foot": one.at_foot,
         "place": one.place,
         "multiplier": mechanism.multiplier(),
         "participating_mass_kg": mass,
@@ -178,8 +179,8 @@ def checks_of(ranked):
     """Checks of the mechanism that fails first and of the whole façade, with every step.
 
     Of every other mechanism of `ranked` (`code_checks.governing`) the steps of its non-linear SLV
-    checks. Returns rows with the columns CHECKS and STEPS, and the capacity curves (mechanism, d_m,
-    multiplier).
+    checks. Returns rows with the columns CHECKS and STEPS, and the capacity curves (part,
+    mechanism, d_m, multiplier).
     """
     whole = next(row for row in ranked if row[1].whole)
     told = [whole] if ranked[0] is whole else [ranked[0], whole]
@@ -192,7 +193,8 @@ def checks_of(ranked):
             )
             steps += [(one.part, one.name, key, *step) for step in check.steps]
         d, alpha = one.mechanism.curve()
-        curves.append(pd.DataFrame({"mechanism": one.name, "d_m": d, "multiplier": alpha}))
+        about = {"part": one.part, "mechanism": one.name}
+        curves.append(pd.DataFrame({**about, "d_m": d, "multiplier": alpha}))
     parts = {one.part for _, one, _ in told}
     for _, one, found in ranked:
         for key in ("slv_ground", "slv_height"):

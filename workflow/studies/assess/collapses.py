@@ -89,7 +89,7 @@ def _asked(case, turns, most_g, least_g, from_g):
     levels = [end * RATIO ** np.arange(1.0 - count, 0.5) for end in ends]
     levels = [own[own > start] for own, start in zip(levels, from_g, strict=True)]
     first = _listed(case, turns, [own[-AT_A_TIME:] for own in levels])
-    moved = np.arange(len(turns))
+    moved = list(range(len(turns)))
     for done in range(AT_A_TIME, count, AT_A_TIME):
         moved = [
             k

@@ -4,13 +4,13 @@ from functools import partial
 
 import pandas as pd
 
-from studies.assess import pictures, verdict
-from studies.assess.code_checks import CHECKS
+from studies.assess import pictures, verdict, walls
+from studies.assess.catalogue import NOTHING
+from studies.assess.code_tables import DAMAGED_KEYS
 from studies.assess.paper import Picture, Table
 from studies.assess.shaken import is_far
 from studies.assess.sites import WHOLE_PART
-from studies.assess.verdict import g3, per_cent, powered
-from studies.assess.walls import named as wall_named
+from studies.assess.ties_said import named
 
 SHOWN = (
     *("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height"),
@@ -20,58 +20,46 @@ SHOWN = (
 APART = 0.1  # of two solvers' displacements, from which on it is said
 
 
-def with_unit(value, unit):
+def heads(say, table, *keys):
+    """Heads of a table's columns; an empty key has an empty head."""
+    return tuple(say(f"table.{table}.{key}") if key else "" for key in keys)
+
+
+def with_unit(value, unit, say):
     """Three figures with their unit, where there is one."""
-    return g3(value) if unit == "-" else f"{g3(value)} {unit}"
-
-
-def floors_said(floors, counts):
-    """End of the sentence on the dynamic models: what their floors hold by, if friction counts."""
-    rubbing = sorted({row["friction"] for row in floors if row["load_kn"] and row["friction"]})
-    if not rubbing:
-        return "."
-    said = " and ".join(f"{mu:g}" for mu in rubbing)
-    if counts:
-        return f"; floors hold it by friction of {said} too (assessment.floor_friction)."
-    return (
-        f"; the friction of floors, {said}, does not hold it, since nobody has verified that it "
-        "lasts until collapse (assessment.floor_friction)."
-    )
+    found = say.number(value, "g3")
+    return found if unit == "-" else f"{found} {unit}"
 
 
 def by_mechanism(data):
     """Mechanism by mechanism: by hand, by the code's dynamic check, half collapse by model."""
-    tables = data.tables
+    say, tables = data.say, data.tables
     shaken, own = tables["shaken"], tables["parts_dynamic"]
     verdicts, models = tables["verdicts"], list(tables["dynamic"]["model"])
     stated = verdict.as_stated(tables["mechanisms"]).set_index("part")
-    half = {(r.part, r.model): _half(r) for r in own.itertuples()}
+    half = {(r.part, r.model): _half(r, say) for r in own.itertuples()}
     held = {}
     if len(verdicts):
-        said = verdicts.assign(said=verdict.held_or_not(verdicts))
-        held = said.set_index(["part", "model"])["said"].to_dict()
+        keys = verdicts.assign(key=verdict.held_or_not(verdicts))
+        held = keys.set_index(["part", "model"])["key"].to_dict()
     rows = []
     for r in shaken.itertuples():
-        name = r.mechanism if r.shaken else f"{r.mechanism}; not shaken: {r.why_words}"
-        known = stated.loc[r.part]
-        cells = ["–"] * len(models)
+        cells = [NOTHING] * len(models)
         for k, model in enumerate(models if r.shaken else ()):
-            said = [held[r.part, model]] if (r.part, model) in held else []
-            cells[k] = "; ".join([*said, half.get((r.part, model), "–")])
-        by_hand = f"{g3(r.pga_fails_g)} ({per_cent(r.pga_fails_g / data.demand_g)})"
-        rows.append((name, f"{known['multiplier']:.4f}", by_hand, *cells))
-    within = data.config["assessment"]["shaken_within"]
-    more = f" Shaken is what fails by hand below {within:g} times the demand's PGA"
-    more += "." if is_far(shaken).any() else ": here every one that can be."
-    share = 0.42 / len(models)
-    governs = verdict.decided_by(verdicts)
-    heads = [f"{model} (governs)" if model == governs else model for model in models]
+            cells[k] = half.get((r.part, model), NOTHING)
+            if (r.part, model) in held:
+                told = say(f"verdict.held.{held[r.part, model]}")
+                cells[k] = say("table.held_half", held=told, half=cells[k])
+        by_hand = {"pga_g": r.pga_fails_g, "share": r.pga_fails_g / data.demand_g}
+        name = named(r, say, "" if r.shaken else r.why_not)
+        alpha = say.number(stated.loc[r.part]["multiplier"], ".4f")
+        rows.append((name, alpha, say("table.pga_share", **by_hand), *cells))
+    share, governs = 0.42 / len(models), verdict.decided_by(verdicts)
+    own_heads = [say("table.governs", model=m) if m == governs else m for m in models]
+    caption = f"table.mechanisms.caption_{'some' if is_far(shaken).any() else 'all'}"
     return Table(
-        "Every mechanism, the weakest by hand first: α0; the PGA at which its SLV check by hand "
-        "fails, over the demand's in brackets; and by model whether the code's dynamic check is "
-        "held, with the median PGA of half collapse [g]; later: most motions felled another "
-        f"mechanism before. The worst decides.{more}",
-        ("mechanism", "α0", "by hand [g]", *heads),
+        say(caption, within=data.config["assessment"]["shaken_within"]),
+        (*heads(say, "mechanisms", "mechanism", "alpha", "by_hand"), *own_heads),
         rows,
         (0.36, 0.08, 0.14, *[share] * len(models)),
         f"{data.folder}/parts_dynamic.csv",
@@ -79,35 +67,35 @@ def by_mechanism(data):
     )
 
 
-def _half(row):
+def _half(row, say):
     """Median PGA of half collapse; a word where most motions felled another mechanism before."""
-    return "later" if row.never_collapsed > 0.5 * row.curves else g3(row.median_pga_g)
+    if row.never_collapsed > 0.5 * row.curves:
+        return say("table.later")
+    return say.number(row.median_pga_g, "g3")
 
 
 def checks(data):
     """Checks of the mechanism that fails first and of the whole façade, a table each."""
-    tables = []
-    for _, part in data.tables["code_checks"].groupby("part", sort=False):
-        own, name = part.set_index("check"), part["mechanism"].iloc[0]
-        rows = [
+    say, tables = data.say, []
+    for part, rows in data.tables["code_checks"].groupby("part", sort=False):
+        own = rows.set_index("check")
+        cells = [
             (
-                CHECKS[key],
-                with_unit(r["capacity"], r["unit"]),
-                with_unit(r["demand"], r["unit"]),
-                "passes" if r["ratio"] >= 1.0 else "fails",
-                g3(r["pga_fails_g"]),
-                g3(r["ratio"]),
+                say(f"table.check.{key}"),
+                with_unit(r["capacity"], r["unit"], say),
+                with_unit(r["demand"], r["unit"], say),
+                say(f"table.checks.{'passes' if r['ratio'] >= 1.0 else 'fails'}"),
+                say.number(r["pga_fails_g"], "g3"),
+                say.number(r["ratio"], "g3"),
             )
             for key, r in own.loc[[key for key in SHOWN if key in own.index]].iterrows()
         ]
-        both = " What stands on the ground has two demands, ground and floor; the larger governs."
+        caption = f"table.checks.caption{'_ground' if 'slv_ground' in own.index else ''}"
         tables.append(
             Table(
-                f"Checks of: {name}. A check just fails at the PGA in the fifth column; the last "
-                "is that over the demand's PGA. Displacements are the equivalent oscillator's, not "
-                f"the top's.{both if 'slv_ground' in own.index else ''}",
-                ("check", "capacity", "demand", "", "fails at [g]", "over demand"),
-                rows,
+                say(caption, name=data.names[part]),
+                heads(say, "checks", "check", "capacity", "demand", "", "fails_at", "over"),
+                cells,
                 (0.36, 0.15, 0.15, 0.1, 0.12, 0.12),
                 f"{data.folder}/code_checks.csv",
             )
@@ -117,48 +105,46 @@ def checks(data):
 
 def dynamic_check(data):
     """Lines, picture and tables of the code's dynamic check."""
-    tables, folder = data.tables, data.folder
+    say, tables, folder = data.say, data.tables, data.folder
     verdicts, yade = tables["verdicts"], tables["yade"]
     if verdicts.empty:
         wanted = data.config["assessment"]["motions"]
-        said = (
-            f"Not made: it wants motions of as many stations as assessment.motions says ({wanted})."
-        )
-        return {"lines": [said], "picture": None, "tables": []}
-    lines = [verdict.dynamic_check(verdicts, data.fit, tables["shaken"]), _motions(data)]
+        return {
+            "lines": [say("table.dynamic.not_made", wanted=wanted)],
+            "picture": None,
+            "tables": [],
+        }
+    lines = [verdict.dynamic_check(verdicts, data.fit, tables["shaken"], say), _motions(data)]
     if len(yade) and ((yade["d_yade_m"] / yade["d_m"] - 1.0).abs() > APART).any():
-        lines.append(
-            "YADE and the planar solver differ by more than a tenth in a history below. So far "
-            "from rest small differences grow in a single one; the check rests on all of them."
-        )
+        lines.append(say("table.dynamic.apart"))
     low, high, _ = data.fit
     picture = Picture(
-        partial(pictures.selected, tables["selected_spectra"]),
+        partial(pictures.selected, say, tables["selected_spectra"]),
         50.0,
-        "Spectra of 5 %: the demand, the motions' mean, and each motion.",
-        f"The mean lies {per_cent(low)} to {per_cent(high)} from the demand.",
+        say("table.dynamic.picture"),
+        say("table.dynamic.picture_words", low=low, high=high),
         f"{folder}/selected_spectra.csv",
     )
     return {
         "lines": lines,
         "picture": picture,
-        "tables": [_decided(data), *([_in_yade(yade, folder)] if len(yade) else [])],
+        "tables": [_decided(data), *([_in_yade(data)] if len(yade) else [])],
     }
 
 
-def bare_said(row):
+def bare_said(row, say):
     """What a verdict's row says of d_SLV without the links that give way early; mostly nothing."""
     limit_m = getattr(row, "d_slv_bare_m", float("nan"))
     if limit_m != limit_m:
         return ""
-    return f" ({1e3 * limit_m:.0f} mm without a link: {'' if row.slv_bare else 'not '}held)"
+    key = "table.dynamic.bare_held" if row.slv_bare else "table.dynamic.bare_lost"
+    return say(key, slv_m=limit_m)
 
 
 def _decided(data):
     """Table of the model that governs, and of the mechanism that decides in each other model."""
-    verdicts, shaken = data.tables["verdicts"], data.tables["shaken"]
+    say, verdicts = data.say, data.tables["verdicts"]
     governs = verdict.decided_by(verdicts)
-    names = dict(zip(shaken["part"], shaken["mechanism"], strict=True))
     worst = verdict.deciding(verdicts)
     shown = pd.concat(
         [verdicts[verdicts["model"] == governs], worst[worst["model"] != governs]],
@@ -166,24 +152,21 @@ def _decided(data):
     )
     rows = [
         (
-            f"{r.model}, {names[r.part]}",
-            f"{r.exceed_d0:.0f} of {r.motions:.0f}",
-            f"{1e3 * r.mean_d_m:.0f} mm",
-            f"{1e3 * r.d_slv_m:.0f}, {1e3 * r.d_slc_m:.0f} mm{bare_said(r)}",
-            held,
-            "held" if r.slc else "not held",
-            per_cent(r.agree),
+            say("table.model_of", model=r.model, of=data.names[r.part]),
+            say("table.of", count=r.exceed_d0, all=r.motions),
+            say.number(r.mean_d_m, "mm"),
+            say("table.dynamic.both_limits", slv=1e3 * r.d_slv_m, slc_m=r.d_slc_m)
+            + bare_said(r, say),
+            say(f"verdict.held.{held}"),
+            say(f"verdict.held.{verdict.HELD if r.slc else verdict.LOST}"),
+            say.number(r.agree, "percent"),
         )
         for r, held in zip(shown.itertuples(), verdict.held_or_not(shown), strict=True)
     ]
     strong = tuple(k for k, r in enumerate(shown.itertuples()) if r.model == governs)
     return Table(
-        "The code's dynamic check (C8.7.1.2.1.9): held if no history exceeds d0 and the mean of "
-        "the largest displacements of the top does not exceed d_SLV (d_SLC). Last column: share of "
-        "sets of one perturbed history a motion that give the same verdict on SLV; a "
-        "check that is held in fewer than 95 % of them is in doubt and counts as not held. In bold "
-        "the model that governs; of the others the mechanism that decides.",
-        ("model, mechanism", "beyond d0", "mean", "d_SLV, d_SLC", "SLV", "SLC", "same verdict"),
+        say("table.dynamic.caption"),
+        heads(say, "dynamic", "model", "beyond", "mean", "limits", "slv", "slc", "same"),
         rows,
         (0.34, 0.1, 0.09, 0.15, 0.1, 0.1, 0.12),
         f"{data.folder}/dynamic_check_*.csv",
@@ -193,54 +176,54 @@ def _decided(data):
 
 def _motions(data):
     """The selected motions and how their mean fits the demand."""
-    motions, (low, high, fits) = data.tables["selected_motions"], data.fit
-    factors = motions["factor"]
-    return (
-        f"{len(motions)} recorded motions, one horizontal component a station (appendix C), "
-        f"factors {factors.min():.2f} to {factors.max():.2f}, in "
-        f"{'both directions' if len(data.config['directions']) == 2 else 'one direction'}. Their "
-        f"mean spectrum lies {per_cent(low)} to {per_cent(high)} from the demand's between "
-        f"{data.range_s[0]:.2f} and {data.range_s[1]:.2f} s, "
-        f"{'within' if fits else 'outside'} the code's −10 to +30 %."
-    )
+    say, motions, (low, high, fits) = data.say, data.tables["selected_motions"], data.fit
+    factors, both = motions["factor"], len(data.config["directions"]) == 2
+    key = f"table.dynamic.motions_{'both' if both else 'one'}"
+    told = say(key, n=len(motions), least=factors.min(), most=factors.max())
+    ends = {"low": low, "high": high, "from_s": data.range_s[0], "to_s": data.range_s[1]}
+    return f"{told} {say('table.dynamic.fits' if fits else 'table.dynamic.misfits', **ends)}"
 
 
-def _in_yade(yade, folder):
+def _in_yade(data):
     """Histories of the dynamic check that YADE ran again."""
-    rows, names = [], {"worst": "the largest", "nearest": "nearest to d_SLV"}
+    say, rows = data.say, []
     one = ["model", "part", "record", "direction", "pga_g", "d_m", "d_yade_m", "status_yade"]
-    for own, part in yade.groupby(one, sort=False, dropna=False):
+    for own, part in data.tables["yade"].groupby(one, sort=False, dropna=False):
         model, piece, record, direction, _, d_m, d_yade_m, status = own
-        which = " and ".join(names[w] for w in part["which"])
-        lengths = f"{1e3 * d_m:.0f} mm", f"{1e3 * d_yade_m:.0f} mm, {status}"
-        where = "" if piece == WHOLE_PART else f", {piece.replace('_', ' ')} m"
-        rows.append((f"{model}{where}, {record} {direction}", which, *lengths))
+        about = {"model": model, "record": record, "direction": say(f"table.direction.{direction}")}
+        if piece == WHOLE_PART:
+            history = say("table.yade.whole", **about)
+        else:
+            history = say("table.yade.part", **about, name=data.names[piece])
+        which = say.all_of(say(f"table.yade.which.{key}") for key in part["which"])
+        told = say("table.yade.length", d_m=d_yade_m, status=say(f"table.yade.status.{status}"))
+        rows.append((history, which, say.number(d_m, "mm"), told))
     return Table(
-        "Run again in YADE, the discrete element program, of the model and mechanism that decide.",
-        ("history", "", "planar solver", "YADE"),
+        say("table.yade.caption"),
+        heads(say, "yade", "history", "", "planar", "yade"),
         rows,
-        (0.3, 0.34, 0.16, 0.2),
-        f"{folder}/dynamic_check_yade.csv",
+        (0.34, 0.26, 0.16, 0.24),
+        f"{data.folder}/dynamic_check_yade.csv",
     )
 
 
 def suite(data):
     """Collapse under all motions of the run, by model."""
-    dynamic, rows = data.tables["dynamic"], []
+    say, dynamic, rows = data.say, data.tables["dynamic"], []
     for r in dynamic.itertuples():
-        middle, share = g3(r.median_pga_g), "–"
+        middle, share = say.number(r.median_pga_g, "g3"), NOTHING
         if r.probability == r.probability:  # from enough stations
-            middle += f" ({g3(r.ci_low_g)} to {g3(r.ci_high_g)})"
-            share = "".join(verdict.collapses(r))
+            low, high = (say.number(v, "g3") for v in (r.ci_low_g, r.ci_high_g))
+            middle = say("table.interval", value=middle, low=low, high=high)
+            share = "".join(verdict.collapses(r, say, bare=True))
         curves = f"{r.curves} ({r.never_collapsed})"
-        of = f"{r.model}, {'whole façade' if r.mechanisms == 1 else f'{r.mechanisms} mechanisms'}"
-        rows.append((of, middle, g3(r.dispersion), share, curves))
+        alone = r.mechanisms == 1
+        of = say("table.suite.whole") if alone else say("table.suite.several", n=r.mechanisms)
+        name = say("table.model_of", model=r.model, of=of)
+        rows.append((name, middle, say.number(r.dispersion, "g3"), share, curves))
     return Table(
-        "Every motion of the run scaled until the façade falls: PGA of half collapse, and collapse "
-        "at the demand's PGA. In brackets 95 % intervals, stations drawn with replacement; none "
-        "from fewer than seven stations. A motion fells the façade where it fells any mechanism. "
-        "In bold the model that the rate rests on.",
-        ("model", "median PGA [g]", "dispersion", "collapse at the demand", "curves (stood)"),
+        say("table.suite.caption"),
+        heads(say, "suite", "model", "median", "dispersion", "collapse", "curves"),
         rows,
         (0.22, 0.25, 0.12, 0.24, 0.17),
         f"{data.folder}/dynamic.csv",
@@ -250,89 +233,106 @@ def suite(data):
 
 def rate(data):
     """Annual rate by model and hazard curve; why there is none."""
-    rates = data.tables["rate"]
+    say, rates = data.say, data.tables["rate"]
     if rates.empty:
-        why = verdict.no_rate(data.tables["dynamic"], data.config)
+        why = verdict.no_rate(data.tables["dynamic"], data.config, say)
         return {"lines": [why], "tables": []}
     rows = [
         (
             r.model,
             r.hazard,
-            f"{powered(r.annual_rate)} ({powered(r.rate_low)} to {powered(r.rate_high)})",
-            f"{100 * r.probability:.2g} %",
-            per_cent(r.outside_share),
+            say("table.rate.value", rate=r.annual_rate, low=r.rate_low, high=r.rate_high),
+            say("table.rate.probability", percent=100 * r.probability),
+            say.number(r.outside_share, "percent"),
         )
         for r in rates.itertuples()
     ]
     table = Table(
-        f"Annual rate of collapse with its 95 % interval, and the probability within "
-        f"{rates['years'].iloc[0]:g} years: the lognormal curve of all motions over each hazard "
-        "curve. Last column: share of the rate from beyond the ends of the hazard curve, where it "
-        "goes on as a power law.",
-        ("model", "hazard", "collapses a year", "in that time", "from beyond"),
+        say("table.rate.caption", years=rates["years"].iloc[0]),
+        heads(say, "rate", "model", "hazard", "rate", "time", "beyond"),
         rows,
         (0.1, 0.3, 0.32, 0.14, 0.14),
         f"{data.folder}/rate.csv",
         tuple(k for k, model in enumerate(rates["model"]) if model == data.relied),
     )
-    first, last = rates["pga_first_g"].iloc[0], rates["pga_last_g"].iloc[0]
-    stands = wall_named(data.config["facade"])
-    lines = [
-        f"The hazard of {rates['hazard'].iloc[0]} goes from {g3(first)} to {g3(last)} g of PGA on "
-        f"the ground of the site. The rate depends on the wall, here {stands} (docs/risk.md); "
-        "uncertainty of hazard, material and model is not in the intervals."
-    ]
+    first = next(rates.itertuples())
+    ends = {"first_g": first.pga_first_g, "last_g": first.pga_last_g}
+    wall = walls.named(data.facade, say)
+    lines = [say("table.rate.line", hazard=first.hazard, **ends, wall=wall)]
     return {"lines": lines, "tables": [table]}
+
+
+def varied(key, say):
+    """What was varied, in words: a key of the configuration stays as it is."""
+    if key in walls.WALL_KEYS:
+        return say(f"table.sensitivity.{walls.WALL_KEYS[key]}")
+    damping = {name: value for value, name in DAMAGED_KEYS.items()}.get(key)
+    return key if damping is None else say("table.sensitivity.damaged", damping=damping)
 
 
 def sensitivity(data):
     """Pictures and table of what changes the answers."""
-    code, dynamic = data.tables["code_sensitivity"], data.tables["dynamic_sensitivity"]
-    own = data.tables["code_checks"]
+    found = data.tables["dynamic_sensitivity"].dropna(subset=["ratio"])
+    return {
+        "pictures": _of_the_check(data),
+        "tables": [_of_the_collapse(data, found)] if len(found) else [],
+    }
+
+
+def _of_the_check(data):
+    """Pictures of what changes the non-linear check, on the ground and on the floor."""
+    say, code, own = data.say, data.tables["code_sensitivity"], data.tables["code_checks"]
     own = own[own["part"] == data.weakest.part].set_index("check")["ratio"]
-    drawn, tables, before = [], [], None
-    for key, words in (("slv_ground", "ground"), ("slv_height", "floor")):
-        part = code[code["check"] == key].rename(columns={"ratio": "value"})
+    drawn, before = [], None
+    for check, place in (("slv_ground", "ground"), ("slv_height", "floor")):
+        part = code[code["check"] == check].rename(columns={"ratio": "value"})
         values = part[["key", "factor", "value"]].to_numpy().tolist()
-        if part.empty or key not in own or values == before:
+        if part.empty or check not in own or values == before:
             continue
         before = values
+        part = part.assign(key=[varied(key, say) for key in part["key"]])
+        told = [
+            say("table.sensitivity.words", key=r.key, factor=r.factor, value=r.value)
+            for r in part.itertuples()
+        ]
         drawn.append(
             Picture(
-                partial(pictures.tornado, part, own[key], "PGA of failure over the demand's [-]"),
+                partial(pictures.tornado, say, part, own[check]),
                 42.0,
-                f"Sensitivity of the non-linear SLV check, {words}; line: as stated. What changes "
-                "nothing is left out.",
-                "; ".join(f"{r.key} ×{r.factor:g} gives {g3(r.value)}" for r in part.itertuples()),
+                say(f"table.sensitivity.{place}"),
+                "; ".join(told),
                 f"{data.folder}/code_sensitivity.csv",
             )
         )
-    found = dynamic.dropna(subset=["ratio"])
-    if len(found):
-        spread = found.groupby(["key", "factor"], sort=False)["ratio"].agg(
-            ["median", "min", "max", "size"]
-        )
-        rows = []
-        for key, part in spread.groupby(level="key", sort=False):
-            ranges = [f"{g3(s.min)} to {g3(s.max)}" for s in part.itertuples(index=False)]
-            rows.append(
-                (
-                    key,
-                    ", ".join(f"×{f:g}" for f in part.index.get_level_values("factor")),
-                    ", ".join(g3(m) for m in part["median"]),
-                    ", ".join(ranges),
-                    f"{part['size'].min():.0f}",
-                )
-            )
-        falls = " At 0 it falls by its own weight." if (found["ratio"] == 0.0).any() else ""
-        tables.append(
-            Table(
-                f"Sensitivity of the dynamic answer ({dynamic['model'].iloc[0]}): PGA of half "
-                f"collapse over that of the façade as stated, for some of the motions.{falls}",
-                ("parameter", "factors", "median ratios", "ranges over motions", "motions"),
-                rows,
-                (0.28, 0.14, 0.18, 0.29, 0.11),
-                f"{data.folder}/dynamic_sensitivity.csv",
+    return drawn
+
+
+def _of_the_collapse(data, found):
+    """Table of what changes the PGA of half collapse."""
+    say, rows = data.say, []
+    spread = found.groupby(["key", "factor"], sort=False)["ratio"].agg(
+        ["median", "min", "max", "size"]
+    )
+    for key, part in spread.groupby(level="key", sort=False):
+        ranges = [
+            say("table.range", low=s.low, high=s.high)
+            for s in part.rename(columns={"min": "low", "max": "high"}).itertuples()
+        ]
+        factors = part.index.get_level_values("factor")
+        rows.append(
+            (
+                varied(key, say),
+                "; ".join(f"×{say.number(f, 'g')}" for f in factors),
+                "; ".join(say.number(m, "g3") for m in part["median"]),
+                "; ".join(ranges),
+                str(part["size"].min()),
             )
         )
-    return {"pictures": drawn, "tables": tables}
+    falls = "_falls" if (found["ratio"] == 0.0).any() else ""
+    return Table(
+        say(f"table.sensitivity.caption{falls}", model=found["model"].iloc[0]),
+        heads(say, "sensitivity", "parameter", "factors", "medians", "ranges", "motions"),
+        rows,
+        (0.28, 0.14, 0.18, 0.29, 0.11),
+        f"{data.folder}/dynamic_sensitivity.csv",
+    )

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.patches import Polygon, Rectangle
 
-from studies.assess import drawn_bodies
+from studies.assess import drawn_bodies, names
 from yade_scripts.model.facades import ALONG
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.ties import rods_at
@@ -40,25 +40,25 @@ def spread(values, gap, low, high):
 
 
 def _levels(axis, at, levels, reach, side, gap, span):
-    """Heights beside a drawing: a line from its edge to each number."""
+    """Heights beside a drawing: a line from its edge to what is told of each."""
     values = sorted(levels)
     for z, place in zip(values, spread(values, gap, *span), strict=True):
         x = [at, at + 0.35 * side * reach, at + 0.8 * side * reach, at + side * reach]
         axis.plot(x, [z, z, place, place], color="0.55", lw=0.4)
-        words = f"{z:.2f}{levels[z]}"
         start = {"ha": "left" if side > 0 else "right", "va": "center", "size": SMALL}
-        axis.text(at + 1.05 * side * reach, place, words, **start)
+        axis.text(at + 1.05 * side * reach, place, levels[z], **start)
 
 
-def _places(axis, at, values, reach, gap, span):
-    """Places along the width below a drawing, from its left edge."""
+def _places(axis, say, at, values, *room):
+    """Places along the width below a drawing, from its left edge; `room`: reach, gap, span."""
+    reach, gap, span = room
     values = sorted(values)
     left = values[0]
     for x, place in zip(values, spread(values, gap, *span), strict=True):
         z = [at, at - 0.35 * reach, at - 0.8 * reach, at - reach]
         axis.plot([x, x, place, place], z, color="0.55", lw=0.4)
-        words = f"{x - left:.2f}"
-        axis.text(place, at - 1.1 * reach, words, size=SMALL, rotation=90, ha="center", va="top")
+        told = say.number(x - left, ".2f")
+        axis.text(place, at - 1.1 * reach, told, size=SMALL, rotation=90, ha="center", va="top")
 
 
 def _steps(masonry, z):
@@ -71,7 +71,7 @@ def _titled(axis, x, z, words):
     axis.text(x, z, words, size=7.5, ha="center", va="bottom")
 
 
-def _elevation(axis, family, candidate, scale):
+def _elevation(axis, say, family, candidate, scale):
     """`scale`: metres a millimetre of paper."""
     m, facade = family.masonry, family.facade
     half, h, top = 0.5 * m.width_m, m.height_m, m.top_m
@@ -101,27 +101,31 @@ def _elevation(axis, family, candidate, scale):
     axis.plot([-half - 4 * scale, half + 4 * scale], [ground] * 2, color="0", lw=1.2)
     span = ground, max(top, ground + 3.0 * scale)
     own: dict[float, list] = {0.0: [], round(h, 3): ["eaves"] if top > h else [], round(top, 3): []}
-    for word, heights in (
+    for key, heights in (
         ("floor", [row.height_m for row in facade.floors]),
         ("step", [z for z in steps if _steps(m, z)]),
         ("tie", [row.height_m for row in facade.ties]),
         ("ground", [ground] if family.base_m > 0.0 else []),
     ):
         for z in heights:
-            if word not in own.setdefault(round(z, 3), []):
-                own[round(z, 3)].append(word)
-    named = {z: f" {', '.join(words)}" for z, words in own.items()}
+            if key not in own.setdefault(round(z, 3), []):
+                own[round(z, 3)].append(key)
+    named = {}
+    for z, keys in own.items():
+        there = ", ".join(say(f"figure.{key}") for key in keys)
+        named[z] = f"{say.number(z, '.2f')} {there}"
     gap = 2.9 * scale
     _levels(axis, -half, named, 5.0 * scale, -1, gap, span)
-    edges = {round(z, 3): "" for o in m.shape.openings for z in o[2:]}
+    edges = {round(z, 3) for o in m.shape.openings for z in o[2:]}
     if edges:
-        _levels(axis, half, edges, 5.0 * scale, 1, gap, span)
+        told = {z: say.number(z, ".2f") for z in edges}
+        _levels(axis, half, told, 5.0 * scale, 1, gap, span)
     edges_m = {-half, half, *(round(x, 3) for o in m.shape.openings for x in o[:2])}
-    _places(axis, ground, edges_m, 4.0 * scale, gap, (-half - 2 * scale, half + 2 * scale))
-    _titled(axis, 0.0, top + 3.0 * scale, "elevation, from outside")
+    _places(axis, say, ground, edges_m, 4.0 * scale, gap, (-half - 2 * scale, half + 2 * scale))
+    _titled(axis, 0.0, top + 3.0 * scale, say("figure.elevation"))
 
 
-def _section(axis, family, candidate, scale):
+def _section(axis, say, family, candidate, scale):
     m, facade = family.masonry, family.facade
     parts = drawn_bodies.pieces(m)
     for z0, z1 in parts:
@@ -146,37 +150,36 @@ def _section(axis, family, candidate, scale):
         axis.add_patch(Polygon(outline, fc="none", ec="0", lw=0.9, ls="--"))
     edge = family._edge(candidate.foot_m, family.settings["hinge_inset_m"])
     axis.plot(edge, candidate.foot_m, "o", ms=3.5, color="0")
-    held: dict[float, str] = {}
+    held: dict[float, list] = {}
     for row in facade.ties:
         z = row.height_m
         axis.plot([-depth, m.faces(z)[1]], [z, z], color="0", lw=1.3)
-        held[z] = f"{held.get(z, '')} tie {1e-3 * row.rod[1]:.3g} kN"
+        held.setdefault(z, []).append(say("figure.tie_of", force_kn=1e-3 * row.rod[1]))
     for row in facade.floors:
         z = place_of(row, m.shape)[2]
         middle = 0.5 * sum(m.faces(z, above=False))
         axis.plot([-depth, middle], [z, z], color="0.2", lw=0.9, ls="--")
-        anchor = f", anchors {row.anchor_kn:g} kN" if row.anchor_kn else ""
-        load = "joists along" if row.joists == ALONG else f"{row.load_kn:g} kN"
-        held[z] = f"{held.get(z, '')} floor {load}{anchor}"
+        along = row.joists == ALONG
+        told = say("figure.floor_along") if along else say("figure.floor_of", load_kn=row.load_kn)
+        told += say("figure.anchors", force_kn=row.anchor_kn) if row.anchor_kn else ""
+        held.setdefault(z, []).append(told)
     for force, z in family.thrusts:
-        held[z] = f"{held.get(z, '')} thrust {1e-3 * force:.3g} kN"
+        held.setdefault(z, []).append(say("figure.thrust_of", force_kn=1e-3 * force))
     values = sorted(held)
     span = ground, max(top, ground + 3.0 * scale)
     for z, place in zip(values, spread(values, 3.2 * scale, *span), strict=True):
         axis.plot([-depth, -1.15 * depth], [z, place], color="0.55", lw=0.4)
-        words = held[z].strip()
-        axis.text(-1.2 * depth, place, words, size=SMALL, ha="right", va="center")
-    _places(axis, ground, {0.0, b}, 4.0 * scale, 2.9 * scale, (-4 * scale, b + 4 * scale))
-    line, said = {"arrowstyle": "-", "lw": 0.4, "color": "0.55"}, ""
+        axis.text(-1.2 * depth, place, ", ".join(held[z]), size=SMALL, ha="right", va="center")
+    _places(axis, say, ground, {0.0, b}, 4.0 * scale, 2.9 * scale, (-4 * scale, b + 4 * scale))
+    line, told = {"arrowstyle": "-", "lw": 0.4, "color": "0.55"}, ""
     for z, at_m in _measured(m, parts):
         y0, y1 = m.faces(at_m, above=False)
-        said, before = f"{y1 - y0:.3g} thick", said
-        if said == before:
+        told, before = say("figure.thick", thickness_m=y1 - y0), told
+        if told == before:
             continue
         at, place = (0.5 * (y0 + y1), z), (y1 + 9 * scale, z)
-        axis.annotate(said, at, place, size=SMALL, va="center", arrowprops=line)
-    words = "section, and the mechanism that fails first"
-    _titled(axis, 0.5 * sum(SECTION_MM) * scale, top + 3.0 * scale, words)
+        axis.annotate(told, at, place, size=SMALL, va="center", arrowprops=line)
+    _titled(axis, 0.5 * sum(SECTION_MM) * scale, top + 3.0 * scale, say("figure.section"))
 
 
 def _measured(masonry, parts):
@@ -214,21 +217,21 @@ def height_mm(family, wide_mm, high_mm):
     return min(high_mm, tall / scale_of(family, wide_mm, high_mm) + MARGIN_MM)
 
 
-def facade(family, candidate, wide_mm, high_mm, figure):
+def facade(say, family, candidate, paper_mm, figure):
     """Elevation with openings, floors (dashed) and ties (crosses), and the section beside it.
 
     The mechanism is drawn turned by half of the rotation at which its multiplier vanishes; the
-    paper's size is in mm, and one scale serves both drawings.
+    paper is so wide and at most so high [mm], and one scale serves both drawings.
     """
     m = family.masonry
-    scale = scale_of(family, wide_mm, high_mm)
+    scale = scale_of(family, *paper_mm)
     ends = (
         (-0.5 * m.width_m - AROUND_MM * scale, 0.5 * m.width_m + AROUND_MM * scale),
         (SECTION_MM[0] * scale, SECTION_MM[1] * scale),
     )
     axes = figure.subplots(1, 2, width_ratios=[b - a for a, b in ends])  # at one scale
-    _elevation(axes[0], family, candidate, scale)
-    _section(axes[1], family, candidate, scale)
+    _elevation(axes[0], say, family, candidate, scale)
+    _section(axes[1], say, family, candidate, scale)
     for axis, end in zip(axes, ends, strict=True):
         axis.set_aspect("equal")
         axis.set_ylim(-family.base_m - 12.0 * scale, m.top_m + 8.0 * scale)
@@ -236,14 +239,17 @@ def facade(family, candidate, wide_mm, high_mm, figure):
         axis.set_axis_off()
 
 
-def words(family, candidate):
+def words(say, family, candidate):
     """What the drawing shows, in words."""
     m = family.masonry
-    openings, ties = len(m.shape.openings), len(family.facade.ties)
-    gable = f" to the eaves, gable {m.gable_m:g} m" if m.gable_m > 1e-9 else ""
-    return (
-        f"Façade {m.width_m:g} m wide, {m.height_m:g} m high{gable}, "
-        f"{family.facade.thickness_m:g} m thick at its base, "
-        f"{openings} opening{'' if openings == 1 else 's'}, "
-        f"{ties} row{'' if ties == 1 else 's'} of ties; weakest mechanism: {candidate.name}."
+    gable = say("figure.to_eaves", gable_m=m.gable_m) if m.gable_m > 1e-9 else ""
+    return say(
+        "figure.words",
+        width_m=m.width_m,
+        height_m=m.height_m,
+        gable=gable,
+        thickness_m=family.facade.thickness_m,
+        openings=say.count("figure.openings", len(m.shape.openings)),
+        ties=say.count("figure.ties", len(family.facade.ties)),
+        name=names.name(candidate, say),
     )

@@ -26,9 +26,9 @@ from typing import NamedTuple
 
 from rocking.mechanics.blocks import Edges, Held, bending, interlocking, leaned, toppling
 from rocking.mechanics.closed_forms import Interlocked
-from rocking.mechanics.mechanism import WHOLE, Mechanism, turning
+from rocking.mechanics.mechanism import Mechanism, turning
 
-from studies.assess import repertory, weakest
+from studies.assess import names, repertory, weakest
 from studies.assess.checks import initial_period
 from studies.assess.masonry import Masonry
 from studies.assess.sites import CORNERS, LEAST_PART_M, WHOLE_PART
@@ -41,7 +41,7 @@ ADDED_REACH_M = 0.2  # of one more row: elongation of a rod of 4 m that snaps at
 FEET = 10  # heights from which a part may part with interlocked return walls
 CRACKED = 0.5  # of the modulus, in T0
 NEAR_M = 1e-6
-LAST = ("joint of courses", "change")  # said where nothing else is at that height
+LAST = ("joint", "change")  # told where nothing else is at that height
 
 
 def stretched(section, factor):
@@ -60,7 +60,6 @@ def stretched(section, factor):
 class Candidate(NamedTuple):
     """One mechanism and where it is; heights are over the façade's base."""
 
-    name: str
     mechanism: Mechanism
     foot_m: float  # of its hinge
     place: float  # of the middle of the line that holds it, over the building's height
@@ -76,6 +75,12 @@ class Candidate(NamedTuple):
     right_m: float | None = None
     middle_m: float | None = None
     top_m: float | None = None
+    at_foot: str = ""  # keys of what is at its foot, see `names`
+
+    @property
+    def name(self):
+        """Name in tables, which are in English."""
+        return names.name(self)
 
     @property
     def plane(self):
@@ -157,8 +162,9 @@ class Family:
             outer = min(outer, self.masonry.faces(height_m, above=False)[1])
         return outer - inset_m
 
-    def part(self, foot_m, name, part=None):
-        """Overturning of what lies above a height."""
+    def part(self, foot_m, at_foot="", part=None):
+        """Overturning of what lies above a height, at which there is what the keys say."""
+        own = part or (f"above_{float(round(foot_m, 6))}" if foot_m else WHOLE_PART)
         m, inset = self.masonry, self.settings["hinge_inset_m"]
         hinge = (self._edge(foot_m, inset), foot_m)
         pulls = [p for p in self.pulls if p.height_m > foot_m + NEAR_M]
@@ -168,7 +174,7 @@ class Family:
         pushes = [row for row in self.pushes if row[1] > foot_m + NEAR_M]
         masses, thrusts = m.masses(foot_m, m.top_m), self.thrusting(foot_m)
         top = hinge[0], m.top_m
-        found = toppling(name, masses, hinge, top, loads, pulls, pushes, thrusts)
+        found = toppling(own, masses, hinge, top, loads, pulls, pushes, thrusts)
         found = leaned(found, self.lean_rad)
         free = foot_m >= self.height_m - NEAR_M  # above all that the return walls hold
         stated = self.settings["height_ratio"]
@@ -176,9 +182,8 @@ class Family:
         if foot_m == 0.0 and stated is not None:
             place = stated
         t0 = self._period(foot_m, m.top_m) if free else 0.0
-        own = part or (f"above_{float(round(foot_m, 6))}" if foot_m else WHOLE_PART)
         on_ground = self.base_m + foot_m <= 0.0
-        return Candidate(name, found, foot_m, place, on_ground, t0, part=own)
+        return Candidate(found, foot_m, place, on_ground, t0, part=own, at_foot=at_foot)
 
     def thrusting(self, foot_m, below_m=math.inf):
         """Static thrusts between two heights: (force_n, height_m)."""
@@ -199,41 +204,39 @@ class Family:
         return held._replace(height_m=foot_m + held.height_m)
 
     def changes(self):
-        """Heights at which masonry, holds or loads change, and what is there: (z_m, words)."""
+        """Heights at which masonry, holds or loads change, keys of what is there, (z_m, keys)."""
         m = self.masonry
-        foot = "foot of the gable" if m.gable_m > NEAR_M else "foot of the parapet"
+        foot = "gable" if m.gable_m > NEAR_M else "parapet"
         rows = [(self.height_m, foot)] if m.top_m > self.height_m else []
         rows += [(row.height_m, "tie") for row in self.facade.ties]
         rows += [(row.height_m, "floor") for row in self.facade.floors]
         rows += [(z, "thrust") for _, z in self.thrusts]
-        rows += [(z0, "sill of an opening") for *_, z0, _ in m.shape.openings]
-        rows += [(z1, "head of an opening") for *_, z1 in m.shape.openings]
+        rows += [(z0, "sill") for *_, z0, _ in m.shape.openings]
+        rows += [(z1, "head") for *_, z1 in m.shape.openings]
         above = zip(m.shape.storeys, m.shape.storeys[1:], strict=False)
         slices = slices_of(self.facade)  # what tapers changes at no height
         rows += [
-            (up[0], "change of thickness")
-            for low, up in above
-            if low[2:] != up[2:] and up[0] not in slices
+            (up[0], "thickness") for low, up in above if low[2:] != up[2:] and up[0] not in slices
         ]
         every = [
             *(z for z in m.edges_m if z not in slices),
             *(p.height_m for p in self.pulls),
             *(row[2] for row in self.loads),
         ]
-        rows += [(z, "change") for z in every]  # whatever it is that has no word above
+        rows += [(z, "change") for z in every]  # whatever it is that has no key above
         if self.settings["interlocking_course_m"]:
-            rows += [(self.height_m * k / FEET, "joint of courses") for k in range(1, FEET)]
+            rows += [(self.height_m * k / FEET, "joint") for k in range(1, FEET)]
         found: dict[float, list] = {}
-        for z, word in rows:
-            words = found.setdefault(round(float(z), 6), [])
-            if word not in words and not (words and word in LAST):
-                words.append(word)
-        return sorted((z, " and ".join(words)) for z, words in found.items())
+        for z, key in rows:
+            keys = found.setdefault(round(float(z), 6), [])
+            if key not in keys and not (keys and key in LAST):
+                keys.append(key)
+        return sorted((z, names.AND.join(keys)) for z, keys in found.items())
 
     def feet(self):
-        """Heights above which a part may turn, and what is there."""
+        """Heights above which a part may turn, and keys of what is there."""
         last = self.masonry.top_m - LEAST_PART_M
-        found = {z: words for z, words in self.changes() if LEAST_PART_M <= z <= last}
+        found = {z: keys for z, keys in self.changes() if LEAST_PART_M <= z <= last}
         return {0.0: "base"} | found
 
     def levels(self):
@@ -261,10 +264,9 @@ class Family:
 
         `low_m` is the level that holds below it, which may be the foot.
         """
-        name = f"vertical bending from {foot_m:.2f} to {high_m:.2f} m, open at {hinge_m:.2f} m"
         mechanism, place = self.bent(foot_m, hinge_m, high_m), self._place(foot_m, high_m)
         on_ground, part = self.base_m + foot_m <= 0.0, f"from_{float(low_m)}_to_{float(high_m)}"
-        given = name, mechanism, foot_m, place, on_ground
+        given = mechanism, foot_m, place, on_ground
         return Candidate(*given, hinge_m=hinge_m, held_m=high_m, part=part)
 
     def bent(self, low_m, hinge_m, high_m):
@@ -324,17 +326,14 @@ class Family:
         thrust = self.settings["hip_thrust_kn"]
         hinge, top = (-inset, foot_m), (-inset, self.height_m)
         found = toppling("corner", masses, hinge, top, thrusts=[(1e3 * thrust, self.height_m)])
-        name, on_ground = (
-            f"{CORNERS[side]} corner above {foot_m:.2f} m",
-            self.base_m + foot_m <= 0.0,
-        )
-        given = name, found, foot_m, self._place(foot_m, self.height_m), on_ground
+        on_ground = self.base_m + foot_m <= 0.0
+        given = found, foot_m, self._place(foot_m, self.height_m), on_ground
         return Candidate(*given, side=side, part=f"{CORNERS[side]}_corner")
 
     def between(self, mechanism, foot_m, top_m, part, ends):
         """`Candidate` of a mechanism between two ends along the façade, held up to a height."""
         place, on_ground = self._place(foot_m, top_m), self.base_m + foot_m <= 0.0
-        own = Candidate(mechanism.name, mechanism, foot_m, place, on_ground, part=part)
+        own = Candidate(mechanism, foot_m, place, on_ground, part=part)
         return own._replace(left_m=ends[0], right_m=ends[1])
 
     def _return_wedge(self, foot_m, tangent, depth_m, root):
@@ -357,9 +356,8 @@ class Family:
         if site.held_m is not None:
             low = float(site.part.split("_")[1])
             return self.span(low, site.foot_m, site.hinge_m, site.held_m)
-        words = site.words or self.feet().get(site.foot_m) or "between feet"
-        name = WHOLE if site.part == WHOLE_PART else f"part above {site.foot_m:.2f} m ({words})"
-        return self.part(site.foot_m, name, site.part)
+        at_foot = site.at_foot or self.feet().get(site.foot_m) or "between_feet"
+        return self.part(site.foot_m, at_foot, site.part)
 
     def measure(self, site):
         """What a site is ranked by: the PGA at which its check fails, or α0 without `slv`."""

@@ -1,8 +1,10 @@
 """What an assessment needs to be told, checked before anything is planned."""
 
+import json
 from collections.abc import Mapping
 from importlib.util import find_spec
 
+from rocking.configuration.config import Settings
 from rocking.configuration.differences import flat
 from rocking.risk.hazard import read_hazard
 
@@ -16,12 +18,8 @@ STATED = {  # keys that an assessment does not take from the case study
     "assessment": ("confidence_factor",),
 }
 
-SETTLED = (  # keys that say what holds a façade while it is shaken
-    *("floor_friction", "anchor_plate_m", "masonry_shear_mpa", "masonry_compression_mpa"),
-    "confidence_factor",
-)
-GOVERNS = "W2m"  # the model that the rate rests on, where it is among a run's
-
+# of section assessment: what the report shows and nothing is computed from
+WORDS = ("language", "title", "client", "place", "engineer", "registration", "date")
 RODS = ("diameter_mm", "length_m")  # of a row of ties that is there
 
 
@@ -96,6 +94,13 @@ def check_demand(resolved, *files):
             raise ValueError(
                 "assess: assessment.ag_g: stated beside assessment.hazard; expected one of the two"
             )
+    if own["en_spectrum"]:
+        _, tb, tc, td = own["en_spectrum"]
+        if own["ag_g"] is None or own["spectrum"] or not tb < tc < td:
+            raise ValueError(
+                f"assess: assessment.en_spectrum = {own['en_spectrum']}: expected S, T_B < T_C < "
+                "T_D (s), with assessment.ag_g and without assessment.spectrum"
+            )
     if not any(files) and own["ag_g"] is None and not own["hazard"]:
         raise ValueError(
             "assess: no demand; expected assessment.hazard (rows of NTC 2018), assessment.ag_g, "
@@ -127,6 +132,14 @@ def check_mechanisms(resolved):
         Family(resolved).all()
     except ValueError as error:
         raise ValueError(f"assess: {error}") from None
+
+
+def without_words(text):
+    """`Settings` with section assessment, without its keys in `WORDS`."""
+    parts = json.loads(text)
+    own = {key: value for key, value in parts["assessment"].items() if key not in WORDS}
+    kept = parts | {"assessment": own}
+    return Settings(json.dumps(kept, sort_keys=True, separators=(",", ":"), ensure_ascii=False))
 
 
 def every_value(settings):

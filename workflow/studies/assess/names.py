@@ -1,98 +1,86 @@
-"""Names of mechanisms by key and language: code compares keys, reports print these.
+"""Kinds of mechanisms by key, and their names by language: code compares keys, reports print names.
 
-Italian terms are those of the Circolare and of the practice that follows it.
+Italian terms are those of the Circolare and of the practice that follows it (`catalogue`).
 """
+
+from studies.assess.catalogue import SAY
+from studies.assess.sites import CORNERS, WHOLE_PART
 
 COMPOUND, HORIZONTAL, PART_WIDTH = "compound", "horizontal", "part_width"
 OVERTURNING, BENDING, CORNER = "overturning", "bending", "corner"
-ENGLISH, ITALIAN = "en", "it"
-NAMES = {
-    COMPOUND: {
-        ENGLISH: "façade with wedges of the return walls above {foot_m:.2f} m, cracks at "
-        "{crack_deg:.1f}° from the vertical",
-        ITALIAN: "ribaltamento composto sopra {foot_m:.2f} m, con cunei delle pareti di "
-        "controvento, lesioni a {crack_deg:.1f}° dalla verticale",
-    },
-    HORIZONTAL: {
-        ENGLISH: "horizontal bending between {left_m:+.2f} and {right_m:+.2f} m from the middle, "
-        "above {foot_m:.2f} m",
-        ITALIAN: "flessione orizzontale tra {left_m:+.2f} e {right_m:+.2f} m dalla mezzeria, sopra "
-        "{foot_m:.2f} m",
-    },
-    PART_WIDTH: {
-        ENGLISH: "part of the width between {left_m:+.2f} and {right_m:+.2f} m from the middle, "
-        "above {foot_m:.2f} m",
-        ITALIAN: "ribaltamento parziale tra {left_m:+.2f} e {right_m:+.2f} m dalla mezzeria, sopra "
-        "{foot_m:.2f} m",
-    },
-}
-KINDS = {  # kinds of mechanisms
-    OVERTURNING: {ENGLISH: "overturning", ITALIAN: "ribaltamento semplice"},
-    BENDING: {ENGLISH: "vertical bending", ITALIAN: "flessione verticale"},
-    CORNER: {ENGLISH: "corner", ITALIAN: "ribaltamento del cantonale"},
-    COMPOUND: {ENGLISH: "compound overturning", ITALIAN: "ribaltamento composto"},
-    HORIZONTAL: {ENGLISH: "horizontal bending", ITALIAN: "flessione orizzontale"},
-    PART_WIDTH: {ENGLISH: "part-width overturning", ITALIAN: "ribaltamento parziale"},
-}
-SENTENCES = {  # what the report says of a kind
-    COMPOUND: {
-        ENGLISH: "Façade and wedges of the return walls, turning about the outer edge at the foot. "
-        "Friction of interlocked courses on the crack fades with its angle.",
-        ITALIAN: "Facciata e cunei delle pareti di controvento, in rotazione attorno allo spigolo "
-        "esterno al piede. L'attrito degli ammorsamenti si riduce con l'inclinazione della "
-        "lesione.",
-    },
-    HORIZONTAL: {
-        ENGLISH: "Two bodies between lines that hold turn about diagonal cracks on the outer face "
-        "and open on the outer side of the line where they meet. α0 = [Σ P δz + H b (1/L1 + 1/L2)]"
-        "/Σ P δx, H = {thrust_kn:g} kN.",
-        ITALIAN: "Due corpi tra linee trattenute ruotano attorno a lesioni diagonali sulla faccia "
-        "esterna. α0 = [Σ P δz + H b (1/L1 + 1/L2)]/Σ P δx, H = {thrust_kn:g} kN.",
-    },
-    PART_WIDTH: {
-        ENGLISH: "What lies above the foot between two vertical cracks, turning about its outer "
-        "edge. Courses that are stated rub in the cracks; else nothing holds there.",
-        ITALIAN: "Quanto sta sopra il piede tra due lesioni verticali, in rotazione attorno allo "
-        "spigolo esterno. Nelle lesioni agisce l'attrito degli ammorsamenti, se dichiarati.",
-    },
-    CORNER: {
-        ENGLISH: "Both walls up to their cracks, turning about the bisector's normal; by strips.",
-        ITALIAN: "Le due pareti fino alle lesioni, in rotazione attorno alla normale alla "
-        "bisettrice; per strisce.",
-    },
-}
-
-NOT_ASKED = {
-    ENGLISH: "Not asked for (assessment.mechanisms): {kinds}.",
-    ITALIAN: "Non richiesti (assessment.mechanisms): {kinds}.",
-}
+BEYOND = (COMPOUND, HORIZONTAL, PART_WIDTH)  # kinds of `assessment.mechanisms`
+BETWEEN = "between"  # begins the part of a mechanism whose foot lies between two changes
+AND = "+"  # between keys of what is at a foot
+PLACES = ("foot_m", "hinge_m", "held_m", "crack_deg", "left_m", "right_m")
 
 
-def named(kind, language=ENGLISH, **places):
-    """Name of one mechanism of a kind, with its places."""
-    return NAMES[kind][language].format(**places)
-
-
-def said(kind, language=ENGLISH, **values):
-    """What the report says of a kind of mechanism."""
-    return SENTENCES[kind][language].format(**values)
+def known(value):
+    """A number, or None where a table has none."""
+    return None if value is None or value != value else float(value)
 
 
 def kind_of(one):
-    """Key of the kind of a mechanism, of a `family.Candidate` or a `sites.Site`."""
+    """Key of the kind of a mechanism: a `family.Candidate`, a `sites.Site`, a row of a table."""
     if one.side:
         return CORNER
-    if one.crack_deg is not None:
+    if known(one.crack_deg) is not None:
         return COMPOUND
-    if one.left_m is not None:
-        return PART_WIDTH if one.middle_m is None else HORIZONTAL
-    return OVERTURNING if one.held_m is None else BENDING
+    if known(one.left_m) is not None:
+        return PART_WIDTH if known(one.middle_m) is None else HORIZONTAL
+    return OVERTURNING if known(one.held_m) is None else BENDING
 
 
-def not_asked(asked, language=ENGLISH):
+def key_of(one):
+    """Key of a mechanism's name in the catalogue."""
+    kind = kind_of(one)
+    if kind == CORNER:
+        return f"{CORNERS[int(one.side)]}_corner"
+    if kind == OVERTURNING:
+        return "whole" if one.part == WHOLE_PART else "part"
+    return kind
+
+
+def _foot(one, say):
+    """What is at the foot of a part, in words; empty where that is not told."""
+    at_foot = getattr(one, "at_foot", "")
+    if not isinstance(at_foot, str) or not at_foot:
+        return ""
+    if at_foot == BETWEEN:
+        _, low, _, high = one.part.split("_")
+        return say("mechanism.foot.between", low_m=float(low), high_m=float(high))
+    word = say("number.and")
+    return f" {word} ".join(say(f"mechanism.foot.{key}") for key in at_foot.split(AND))
+
+
+def _placed(one, say, form):
+    places = {key: known(getattr(one, key, None)) for key in PLACES}
+    given = {key: value for key, value in places.items() if value is not None}
+    return say(f"mechanism.{key_of(one)}.{form}", **given)
+
+
+def name(one, say=SAY):
+    """Name of a mechanism with its places, and with what is at its foot."""
+    own = _placed(one, say, "name")
+    foot = _foot(one, say) if key_of(one) == "part" else ""
+    return say("mechanism.at_foot", name=own, foot=foot) if foot else own
+
+
+def the(one, say=SAY):
+    """Its name within a sentence, with an article where there is one."""
+    own = _placed(one, say, "the")
+    foot = _foot(one, say) if key_of(one) == "part" else ""
+    return say("mechanism.at_foot", name=own, foot=foot) if foot else own
+
+
+def short(one, say=SAY):
+    """Its name within a list, without what is at its foot."""
+    return _placed(one, say, "the")
+
+
+def not_asked(asked, say=SAY):
     """Kinds that could be checked by hand and were not, in words; empty where all were.
 
     `asked` are the kinds of `assessment.mechanisms`.
     """
-    left = [KINDS[kind][language] for kind in NAMES if kind not in asked]
-    return NOT_ASKED[language].format(kinds=", ".join(left)) if left else ""
+    left = [say(f"mechanism.kind.{kind}") for kind in BEYOND if kind not in asked]
+    return say("mechanism.not_asked", kinds=", ".join(left)) if left else ""

@@ -82,8 +82,9 @@ def stated_row(own):
 
 
 def return_period_of(own, pga_g):
-    """Return period at which section assessment's hazard has a PGA on the ground, in words.
+    """Return period at which section assessment's hazard has a PGA on the ground: (key, years).
 
+    The key is `at` those years, `below` those of the first row or `above` those of the last.
     Between rows of the hazard by the curve's power law; None where there are no rows.
     """
     if not own["hazard"]:
@@ -91,11 +92,11 @@ def return_period_of(own, pga_g):
     curve = curve_of(own["hazard"], own["soil"], own["topography"])
     first, last = (float(f"{1.0 / rate:.6g}") for rate in curve.annual_rate[[0, -1]])
     if pga_g < curve.intensity[0]:
-        return f"less than {first:g}"
+        return "below", first
     if pga_g > curve.intensity[-1]:
-        return f"more than {last:g}"
+        return "above", last
     rate = np.interp(np.log(pga_g), np.log(curve.intensity), np.log(curve.annual_rate))
-    return f"{math.exp(-float(rate)):.0f}"
+    return "at", math.exp(-float(rate))
 
 
 def curve_of(rows, soil, topography):

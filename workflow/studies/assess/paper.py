@@ -10,20 +10,25 @@ import os
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import jinja2
 import matplotlib.pyplot as plt
 from markupsafe import Markup, escape
+from matplotlib.ticker import Formatter
 from rocking.figures import style
+
+from studies.assess.catalogue import SAY
 
 TEMPLATES = Path(__file__).parent / "templates"
 VARIANT = "pdf/a-3u"
 DATE = "SOURCE_DATE_EPOCH"  # of fonts, as fontTools reads it
 MM = 1.0 / 25.4  # inches
 WIDTH_MM = 120.0  # of a picture: readable at a phone's width too
-NUMBER = re.compile(r"[<>]?[−-]?[0-9.]+(e-?[0-9]+)?( ?[%A-Za-zα/²³]{1,5})?|–")
+NUMBER = re.compile(r"[<>]?[−-]?[0-9.,]+(e-?[0-9]+)?( ?[%A-Za-zα/²³]{1,5})?|–")
+FIGURES = re.compile(r"[−+-]?[0-9.,]+")
 TEXT: dict[Any, Any] = {  # of pictures: text stays text, of the size of captions
     "svg.fonttype": "none",
     "svg.hashsalt": "report",
@@ -69,12 +74,44 @@ def kind(word):
     return "number" if NUMBER.fullmatch(str(word)) else "words"
 
 
-def image(picture):
-    """Address of a picture as SVG that carries its text as text."""
+class Marked(Formatter):
+    """Numbers of an axis as another formatter writes them, with a language's decimal mark."""
+
+    def __init__(self, own, marks):
+        """Keep the other formatter, and the table for `str.translate`."""
+        self.own, self.marks = own, marks
+
+    def set_axis(self, axis):
+        """Tell the other formatter its axis."""
+        super().set_axis(axis)
+        self.own.set_axis(axis)
+
+    def __call__(self, value, pos=None):
+        """One number."""
+        return self._marked(self.own(value, pos))
+
+    def format_ticks(self, values):
+        """All of them."""
+        return [self._marked(text) for text in self.own.format_ticks(values)]
+
+    def get_offset(self):
+        """Power of ten beside the axis."""
+        return self._marked(self.own.get_offset())
+
+    def _marked(self, text):
+        """A number's text; words stay as they are."""
+        return text.translate(self.marks) if FIGURES.fullmatch(text) else text
+
+
+def image(picture, say=SAY):
+    """Address of a picture as SVG that carries its text as text, numbers as the language does."""
     with plt.rc_context(TEXT):
         size = picture.wide_mm * MM, picture.height_mm * MM
         figure = plt.figure(figsize=size, layout="constrained")
         picture.draw(figure)
+        for axes in figure.axes if say.marks else ():
+            for axis in (axes.xaxis, axes.yaxis):
+                axis.set_major_formatter(Marked(axis.get_major_formatter(), say.marks))
         style.settle_math(figure)
         data = io.BytesIO()
         figure.savefig(data, format="svg", metadata={"Date": None, "Creator": None})
@@ -94,10 +131,10 @@ def page(context):
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters |= {"broken": broken, "image": image}
+    say = context["say"]
+    environment.filters |= {"broken": broken, "image": partial(image, say=say)}
     environment.globals |= {"kind": kind, "WHOLE": WHOLE}
-    sheet = Markup((TEMPLATES / "report.css").read_text("utf-8"))
-    return environment.get_template("report.html.j2").render(style=sheet, **context)
+    return environment.get_template("report.html.j2").render(**context)
 
 
 def write_pdf(path, text):

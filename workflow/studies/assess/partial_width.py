@@ -13,7 +13,7 @@ import numpy as np
 from rocking.mechanics.blocks import Held, leaned, toppling
 
 from studies.assess import region
-from studies.assess.names import PART_WIDTH, named
+from studies.assess.names import PART_WIDTH
 from studies.assess.sites import LEAST_PART_M, Site
 from yade_scripts.model.return_walls import wall_strips
 from yade_scripts.model.ties import rods_at
@@ -91,9 +91,8 @@ def part_width(family, foot_m, ends):
     top = max(z for *_, z in rows)
     top = m.top_m if m.gable_m <= NEAR_M else max(top, m.height_m)
     masses = [(w, y, z) for w, _, y, z in rows]
-    name = named(PART_WIDTH, foot_m=foot_m, left_m=left, right_m=right)
     thrusts = [(share * force, z) for force, z in family.thrusting(foot_m)]
-    found = toppling(name, masses, hinge, (hinge[0], top), loads, pulls, pushes, thrusts)
+    found = toppling(PART_WIDTH, masses, hinge, (hinge[0], top), loads, pulls, pushes, thrusts)
     found = leaned(found, family.lean_rad)
     return family.between(found, foot_m, m.height_m, PART_WIDTH, ends)
 

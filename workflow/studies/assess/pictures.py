@@ -8,46 +8,48 @@ from yade_scripts.model.registry import MODELS
 
 LOOKS = (("-", "0.0"), ("--", "0.35"), ("-.", "0.5"))  # line and grey
 DRY = [name for name, model in MODELS.items() if model.compiled and not model.bonded]
+NEAR = 0.15  # of a chart's width: labels of one bar are one label there
 LINES = dict(zip(DRY, LOOKS, strict=True))
 
 
-def capacity(curves, mechanisms, figure):
-    """Capacity curves of the mechanisms, with the displacements of SLV and SLC."""
-    reached = as_stated(mechanisms).set_index("mechanism")["d_slv_m"]
+def capacity(say, curves, mechanisms, names, figure):
+    """Capacity curves of the mechanisms, with the displacements of SLV and SLC; names by part."""
+    reached = as_stated(mechanisms).set_index("part")["d_slv_m"]
     axis = figure.subplots()
     styles = zip(("-", "--"), ("0.0", "0.4"), strict=True)
-    for (name, curve), (line, shade) in zip(
-        curves.groupby("mechanism", sort=False), styles, strict=False
+    for (part, curve), (line, shade) in zip(
+        curves.groupby("part", sort=False), styles, strict=False
     ):
-        axis.plot(curve["d_m"], curve["multiplier"], line, color=shade, label=name)
+        axis.plot(curve["d_m"], curve["multiplier"], line, color=shade, label=names[part])
         d0 = float(curve["d_m"].iloc[-1])
-        for words, d, mark in (("d_SLV", reached[name], "s"), ("d_SLC", 0.6 * d0, "D")):
+        for symbol, d, mark in (("d_SLV", reached[part], "s"), ("d_SLC", 0.6 * d0, "D")):
             y = np.interp(d, curve["d_m"], curve["multiplier"])
             axis.plot(d, y, mark, color=shade, mfc="white", ms=5)
             if line == "-":  # the other curve has the same marks
                 at = {"textcoords": "offset points", "size": 7}
-                axis.annotate(words, (d, y), (4, 5), **at)
-    axis.set(xlabel="displacement of the control point [m]", ylabel="multiplier α [-]")
+                axis.annotate(symbol, (d, y), (4, 5), **at)
+    axis.set(xlabel=say("figure.displacement"), ylabel=say("figure.multiplier"))
     axis.set(xlim=(0.0, None), ylim=(0.0, None))
     axis.legend(fontsize=6.5)
 
 
-def selected(table, figure):
+def selected(say, table, figure):
     """Spectra of the selected motions, their mean and the demand, with the code's bounds."""
     axis = figure.subplots()
     t = table["period_s"]
     for name in table.columns[3:]:
         axis.plot(t, table[name], color="0.8", lw=0.6)
-    axis.plot(t, table["target_g"], color="0.0", lw=1.5, label="demand")
-    axis.plot(t, table["mean_g"], "--", color="0.0", lw=1.2, label="mean")
-    axis.plot(t, 0.9 * table["target_g"], ":", color="0.4", lw=0.8, label="−10 %, +30 %")
+    axis.plot(t, table["target_g"], color="0.0", lw=1.5, label=say("figure.demand"))
+    axis.plot(t, table["mean_g"], "--", color="0.0", lw=1.2, label=say("figure.mean"))
+    bounds = say("figure.bounds")
+    axis.plot(t, 0.9 * table["target_g"], ":", color="0.4", lw=0.8, label=bounds)
     axis.plot(t, 1.3 * table["target_g"], ":", color="0.4", lw=0.8)
-    axis.set(xlabel="period [s]", ylabel="spectral acceleration [g]", xlim=(0, None))
+    axis.set(xlabel=say("figure.period"), ylabel=say("figure.acceleration"), xlim=(0, None))
     axis.set_ylim(0, 2.0 * float(table["target_g"].max()))
     axis.legend(fontsize=6.5)
 
 
-def spectra(table, figure):
+def spectra(say, table, figure):
     """Demand on the ground and on the floor, formula beside the exact chain."""
     axis = figure.subplots()
     t = table["period_s"]
@@ -57,19 +59,24 @@ def spectra(table, figure):
         table["floor_chain_p84_g"],
         color="0.88",
         lw=0,
-        label="chain under the suite, 16 to 84 %",
+        label=say("figure.chain"),
     )
-    axis.plot(t, table["floor_chain_p50_g"], "-.", color="0.45", label="its median")
-    axis.plot(t, table["floor_formula_g"], "--", color="0.0", label="floor, formula")
-    axis.plot(t, table["ground_g"], "-", color="0.0", lw=1.6, label="ground, demand")
-    axis.plot(t, table["ground_suite_p50_g"], ":", color="0.3", label="ground, suite's median")
-    axis.set(xscale="log", yscale="log", xlabel="period [s]", ylabel="spectral acceleration [g]")
+    for column, key, line, shade, width in (
+        ("floor_chain_p50_g", "chain_median", "-.", "0.45", 1.2),
+        ("floor_formula_g", "floor_formula", "--", "0.0", 1.2),
+        ("ground_g", "ground_demand", "-", "0.0", 1.6),
+        ("ground_suite_p50_g", "ground_suite", ":", "0.3", 1.2),
+    ):
+        label = say(f"figure.{key}")
+        axis.plot(t, table[column], line, color=shade, lw=width, label=label)
+    axis.set(xscale="log", yscale="log")
+    axis.set(xlabel=say("figure.period"), ylabel=say("figure.acceleration"))
     ticks(axis.xaxis, (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0))
     axis.minorticks_off()
     axis.legend(loc="lower left", fontsize=6.5)
 
 
-def fragility(curves, dynamic, mechanisms, figure):
+def fragility(say, curves, dynamic, mechanisms, figure):
     """Probability of collapse of each model with its band; PGA of demand and kinematic check."""
     axis = figure.subplots()
     for model, part in curves.groupby("model", sort=False):
@@ -80,17 +87,19 @@ def fragility(curves, dynamic, mechanisms, figure):
         axis.plot(part["pga_g"], part["probability"], line, color=shade, label=model)
     demand = dynamic["pga_demand_g"].iloc[0]
     axis.axvline(demand, color="0.0", lw=0.8)
-    axis.text(demand, 1.02, "demand", size=7, ha="center", transform=axis.get_xaxis_transform())
-    label, x = "non-linear SLV check, weakest", as_stated(mechanisms)["pga_fails_g"].iloc[0]
+    told = say("figure.demand")
+    axis.text(demand, 1.02, told, size=7, ha="center", transform=axis.get_xaxis_transform())
+    label, x = say("figure.weakest"), as_stated(mechanisms)["pga_fails_g"].iloc[0]
     axis.plot([x], [0.5], "D", color="0.0", mfc="white", ms=5, label=label, ls="")
-    axis.set(xscale="log", xlabel="PGA [g]", ylabel="probability of collapse [-]", ylim=(0, 1))
+    axis.set(xscale="log", ylim=(0, 1))
+    axis.set(xlabel=say("figure.pga"), ylabel=say("figure.probability"))
     low = 0.5 * min(curves["pga_g"].quantile(0.2), demand)
     ticks(axis.xaxis, [v for v in (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0) if v > low])
     axis.set_xlim(low, 1.5 * max(curves["pga_g"].quantile(0.8), demand))
     axis.legend(loc="upper left", fontsize=6.5, bbox_to_anchor=(1.0, 1.0))
 
 
-def tornado(table, base, label, figure):
+def tornado(say, table, base, figure):
     """Bars of what a key does down and up, about the value as stated, the factors at their ends.
 
     The table has key, factor and value.
@@ -99,15 +108,16 @@ def tornado(table, base, label, figure):
     by_key = table.groupby("key", sort=False)["value"]
     ends = by_key.agg(low=lambda v: min(v.min(), base), high=lambda v: max(v.max(), base))
     keys = list(ends[ends["high"] - ends["low"] > 1e-9].index)  # without those that do nothing
+    near = NEAR * float(ends["high"].max() - ends["low"].min())
     for y, key in enumerate(keys[::-1]):
         part = table[table["key"] == key].sort_values("factor")
         low, high = ends.loc[key, "low"], ends.loc[key, "high"]
         axis.barh(y, high - low, left=low, height=0.5, fc="0.85", ec="0.3", lw=0.6)
-        for _, row in part.iterrows():
-            right = row["value"] > base
+        for value, factors in _together(part, base, near):
+            right = value > base
             axis.annotate(
-                f"×{row['factor']:g}",
-                (row["value"], y),
+                " ".join(f"×{say.number(factor, 'g')}" for factor in factors),
+                (value, y),
                 (4 if right else -4, 0),
                 textcoords="offset points",
                 ha="left" if right else "right",
@@ -118,4 +128,20 @@ def tornado(table, base, label, figure):
     axis.set_yticks(range(len(keys)), [key.split(".")[-1] for key in keys[::-1]])
     axis.use_sticky_edges = False
     axis.margins(x=0.25)
-    axis.set_xlabel(label)
+    axis.set_xlabel(say("table.sensitivity.label"))
+
+
+def _together(part, base, near):
+    """Labels of one bar: (value, factors); those on one side that are `near` each other as one."""
+    found: list[tuple] = []
+    for right in (False, True):
+        own = part[(part["value"] > base) == right].sort_values("value", ascending=right)
+        for row in own.itertuples():
+            if found and (found[-1][0] > base) == right and abs(row.value - found[-1][0]) < near:
+                value, factors = found.pop()
+                found.append(
+                    (row.value, [*factors, row.factor] if right else [row.factor, *factors])
+                )
+            else:
+                found.append((row.value, [row.factor]))
+    return found

@@ -28,7 +28,7 @@ from rocking.mechanics.mechanism import gauss
 
 from studies.assess import region
 from studies.assess.hanging import Wedge, hanging
-from studies.assess.names import COMPOUND, HORIZONTAL, PART_WIDTH, named
+from studies.assess.names import COMPOUND, HORIZONTAL, PART_WIDTH
 from studies.assess.partial_width import part_width, widths
 from studies.assess.sites import LEAST_PART_M, Site
 from yade_scripts.model.return_walls import wall_strips
@@ -95,7 +95,7 @@ def compound(family, foot_m, crack_deg):
     β/2: α0 = [W b/2 + V (b + h tan β/3) + F h/3]/(W h/2 + V 2h/3). At β = 0 it is the part above
     that foot, to the digit.
     """
-    plain = family.part(foot_m, named(COMPOUND, foot_m=foot_m, crack_deg=crack_deg))
+    plain = family.part(foot_m)
     wedge = wedge_masses(family, foot_m, crack_deg)
     about = {"crack_deg": float(crack_deg), "part": COMPOUND}
     if not wedge:
@@ -112,7 +112,7 @@ def compound(family, foot_m, crack_deg):
     pushes = [row for row in family.pushes if row[1] > foot_m + NEAR_M]
     masses = m.masses(foot_m, m.top_m) + wedge
     top, thrusts = (hinge[0], m.top_m), family.thrusting(foot_m)
-    found = toppling(plain.name, masses, hinge, top, loads, pulls, pushes, thrusts)
+    found = toppling(COMPOUND, masses, hinge, top, loads, pulls, pushes, thrusts)
     found = leaned(found, family.lean_rad)
     return plain._replace(mechanism=found, **about)
 
@@ -208,7 +208,7 @@ def horizontal(family, foot_m, top_m, places):
     masses = region.masses(m, foot_m, m.top_m, lambda z: (wedge.ends(z)[0], places[1]), cuts)
     masses += region.masses(m, foot_m, m.top_m, lambda z: (places[1], wedge.ends(z)[1]), cuts)
     found = hanging(
-        named(HORIZONTAL, foot_m=foot_m, left_m=places[0], right_m=places[2]),
+        HORIZONTAL,
         wedge,
         masses,
         _spread(family, wedge, family.loads),

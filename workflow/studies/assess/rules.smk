@@ -1,7 +1,7 @@
 # The answer of codes of practice compared with the dynamic one: a report for one façade. Over many façades:
 # code_against_dynamics.smk.
 from studies.assess import inputs as assessed
-from studies.assess.inputs import GOVERNS, SETTLED
+from studies.assess.held import GOVERNS, SETTLED
 from rocking.stations import turns
 
 COMMIT = version.commit(40) or "none"
@@ -55,8 +55,14 @@ def stated(wildcards):
     return sorted(assessed.every_value(RUNS.stated[wildcards.run]))
 
 
+def numbers_of(*paths):
+    """`RUNS.params_of` without what the report alone shows: other words compute nothing anew."""
+    read = RUNS.params_of(*paths)
+    return lambda wildcards: assessed.without_words(read(wildcards))
+
+
 CHECKED = ("facade", "return_wall", "smdof", "assessment")  # what a code's checks read
-OF_CODE = RUNS.params_of(*CHECKED, "baseline", "seed", "risk.site")
+OF_CODE = numbers_of(*CHECKED, "baseline", "seed", "risk.site")
 HELD_BY = [f"assessment.{key}" for key in SETTLED]
 MOTIONS = {  # the records table and its files, as inputs
     "table": lambda w: RUNS.table_path(w.run),
@@ -165,7 +171,7 @@ rule assess_dynamic:
         period_s=value_of("smdof.period_s"),
         site=value_of("risk.site"),
         years=value_of("risk.years"),
-        settings=RUNS.params_of("assessment"),
+        settings=numbers_of("assessment"),
         resamples=value_of("assessment.resamples"),
         seed=value_of("seed"),
     script:
@@ -191,7 +197,7 @@ rule assess_selection:
         "scripts/assess_selection.py"
 
 
-OF_HISTORIES = RUNS.params_of("directions", "baseline", "seed", "vertical_motion", "assessment")
+OF_HISTORIES = numbers_of("directions", "baseline", "seed", "vertical_motion", "assessment")
 
 
 rule assess_histories:
@@ -246,9 +252,7 @@ rule assess_confirm:
         yade=YADE,
         folder=results("cache/assessment"),
         table=lambda w: RUNS.table_path(w.run),
-        settings=RUNS.params_of(
-            "baseline", "seed", "vertical_motion", "assessment", "facade.courses"
-        ),
+        settings=numbers_of("baseline", "seed", "vertical_motion", "assessment", "facade.courses"),
     script:
         "scripts/assess_confirm.py"
 
@@ -282,7 +286,7 @@ rule assess_ties:
         run=lambda w: w.run,
         table=lambda w: RUNS.table_path(w.run),
         records=lambda w: RUNS.records[w.run],
-        settings=RUNS.params_of(
+        settings=numbers_of(
             *CHECKED, "strengthening", "directions", "baseline", "seed", "risk.site"
         ),
     script:
@@ -313,7 +317,7 @@ rule assess_friction:
         stations=stations,
         period_s=value_of("smdof.period_s"),
         site=value_of("risk.site"),
-        settings=RUNS.params_of(
+        settings=numbers_of(
             "directions", "baseline", "seed", "vertical_motion", "ida.max_pga_g", "assessment"
         ),
     script:

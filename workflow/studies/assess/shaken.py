@@ -21,19 +21,17 @@ from rocking.configuration.facade import TooStockyError
 from rocking.tables import read_frame
 
 from studies.assess.anchors import completed
+from studies.assess.catalogue import SAY
 from studies.assess.dynamic_check import Limits, limits_with
-from studies.assess.inputs import SETTLED
+from studies.assess.held import SETTLED
 from studies.assess.sites import EXTENT, WHOLE_PART
+from yade_scripts.model.facades import Facade
 
 COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "side", "pga_fails_g"]
-COLUMNS += [*EXTENT, "d0_m", "d_slv_m", "d_slc_m", "d_slv_bare_m", "shaken", "why_not", "why_words"]
+COLUMNS += [*EXTENT, "at_foot", "d0_m", "d_slv_m", "d_slc_m", "d_slv_bare_m"]
+COLUMNS += ["shaken", "why_not", "why_words"]
 CORNER, FAR, STOCKY, REFUSED = "corner", "far", "stocky", "refused"  # why one is not shaken
 NARROW = "narrow"
-WORDS = {
-    NARROW: "which take a part of the width",
-    CORNER: "turns about a corner, not over the whole width",
-    STOCKY: "lower than twice its thickness, so that it slides before it rocks",
-}
 
 
 def heights(one):
@@ -79,7 +77,12 @@ def settled_by(settings):
 
 def rubs(facade):
     """Whether floors of a section facade hold it by friction."""
-    return any(row["friction"] and row["load_kn"] for row in facade["floors"])
+    return any(row.friction and row.load_kn for row in Facade.of(facade).floors)
+
+
+def told(why, pga_g):
+    """A reason by its key, and in words."""
+    return why, SAY(f"verdict.why_told.{why}", pga_g=pga_g)
 
 
 def why_not(one, pga_g, least_g, tried):
@@ -88,15 +91,14 @@ def why_not(one, pga_g, least_g, tried):
     `least_g` is the PGA by hand from which on it is left out; `tried` has a case of each model.
     """
     if not one.plane:
-        why = CORNER if one.side else NARROW
-        return why, WORDS[why]
+        return told(CORNER if one.side else NARROW, pga_g)
     if not one.whole and pga_g > least_g and math.isnan(limits_with(one).bare_m):
-        return FAR, f"fails by hand at {pga_g:.3g} g"
+        return told(FAR, pga_g)
     try:
         for case in tried:
             part_of(case, one)
     except TooStockyError:
-        return STOCKY, WORDS[STOCKY]
+        return told(STOCKY, pga_g)
     except ValueError as error:
         return REFUSED, getattr(error, "detail", str(error))
     return "", ""
@@ -113,7 +115,7 @@ def chosen(ranked, tried, demand_g, within):
     for pga_g, one, _ in ranked:
         why = why_not(one, pga_g, within * demand_g, tried)
         about = label(one), one.name, *heights(one), one.side, pga_g
-        about = *about, *(getattr(one, key) for key in EXTENT)
+        about = *about, *(getattr(one, key) for key in (*EXTENT, "at_foot"))
         rows.append((*about, *limits_with(one), int(not why[0]), *why))
     return pd.DataFrame(rows, columns=COLUMNS)
 

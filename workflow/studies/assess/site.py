@@ -8,6 +8,7 @@ from rocking.records.text import read_text
 from rocking.risk.hazard import read_hazard
 
 from studies.assess import national
+from studies.assess.code_spectrum import EurocodeDemand
 from studies.assess.demand import RecordDemand, TableDemand
 
 COLUMNS = ("period_s", "sa_g")
@@ -19,19 +20,23 @@ class SpectrumError(ValueError):
     """A spectrum that cannot be used; its text is one line."""
 
 
-def demand_said(own, sites):
+def demand_said(own, sites, say):
     """Where the demand is from, in words: of section assessment and the site's files."""
+    years = {"years": own["return_period_years"]}
     if own["spectrum"]:
-        return f"the spectrum in {own['spectrum']}"
-    once = f" once in {own['return_period_years']:g} years"
+        return say("page.demand.file", file=own["spectrum"])
+    if own["en_spectrum"]:
+        keys = ("soil_factor", "tb_s", "tc_s", "td_s")
+        about = dict(zip(keys, own["en_spectrum"], strict=True))
+        return say("page.demand.eurocode", ag_g=own["ag_g"], **about)
     if (row := national.stated_row(own)) is not None:
-        return (
-            f"the spectrum of NTC 2018{once if own['hazard'] else ''} for a_g = "
-            f"{row['ag_g']:.3g} g, F0 = {row['f0']:.3g}, T_C* = {row['tc_star_s']:.3g} s, subsoil "
-            f"{own['soil']}, topography {own['topography']}"
-        )
-    names = ", ".join(Path(str(s)).name for s in sites)
-    return f"that of {names}{once}, with the median shape of the motions' spectra"
+        about = {"ag_g": row["ag_g"], "f0": row["f0"], "tc_s": row["tc_star_s"]}
+        about |= {key: own[key] for key in ("soil", "topography")}
+        if own["hazard"]:
+            return say("page.demand.national_years", **about, **years)
+        return say("page.demand.national", **about)
+    files = ", ".join(Path(str(s)).name for s in sites)
+    return say("page.demand.curve", file=files, **years)
 
 
 def read_spectrum(path):
@@ -104,16 +109,18 @@ def at_pga(shape, pga_g):
 
 
 def demand_from(settings, records, spectrum, hazard):
-    """The ground's demand: of a table, of NTC 2018, or the median shape at the hazard's PGA.
+    """The ground's demand: of a table, of a code, or the median shape at the hazard's PGA.
 
-    The first that is stated of the file of a spectrum, and in section assessment of `hazard` (rows
-    of NTC 2018) and `ag_g`; else that of the file of a hazard curve, where the shapes of `records`
-    stand for the site's. Files are empty where there is none; `settings` are sections smdof and
-    assessment, and risk.site.
+    The first that is stated of the file of a spectrum, and in section assessment of
+    `en_spectrum`, `hazard` (rows of NTC 2018) and `ag_g`; else that of the file of a hazard curve,
+    where the shapes of `records` stand for the site's. Files are empty where there is none;
+    `settings` are sections smdof and assessment, and risk.site.
     """
     own = settings["assessment"]
     if spectrum:
         return read_spectrum(str(spectrum))
+    if own["en_spectrum"]:
+        return EurocodeDemand(own["ag_g"], *own["en_spectrum"])
     if (row := national.stated_row(own)) is not None:
         return national.spectrum_of(row, own["soil"], own["topography"])
     curve = read_hazard(str(hazard), settings["smdof"]["period_s"], settings["risk.site"])

@@ -16,7 +16,7 @@ class Site(NamedTuple):
     hinge_m: float | None = None
     held_m: float | None = None
     side: int = 0
-    words: str = ""  # what is at the foot
+    at_foot: str = ""  # keys of what is there, see `names`
     crack_deg: float | None = None  # of a wedge of the return walls that goes along
     left_m: float | None = None  # along the façade from its middle: ends of what moves, where that
     right_m: float | None = None  # is not its whole width
@@ -26,11 +26,12 @@ class Site(NamedTuple):
 
 def site_of(candidate):
     """`Site` of a `Candidate`, or of a row of a table with its columns."""
-    words = getattr(candidate, "words", "")
+    at_foot = getattr(candidate, "at_foot", "")
+    at_foot = at_foot if isinstance(at_foot, str) else ""
     hinge_m, held_m = map(_known, (candidate.hinge_m, candidate.held_m))
     foot_m, side = float(candidate.foot_m), int(candidate.side)
     more = {key: _known(getattr(candidate, key, None)) for key in EXTENT}
-    return Site(candidate.part, foot_m, hinge_m, held_m, side, words, **more)
+    return Site(candidate.part, foot_m, hinge_m, held_m, side, at_foot, **more)
 
 
 def _known(value):

@@ -19,6 +19,7 @@ import numpy as np
 from rocking.mechanics.mechanism import Mechanism
 
 from studies.assess import checks
+from studies.assess.catalogue import SAY
 from studies.assess.demand import PERIOD_STEP, SHORTEST, FloorDemand, displacement, floor_demand
 
 LOWEST, HIGHEST = -120, 60  # powers of PERIOD_STEP between which spectra are kept: 0.1 ms to 100 s
@@ -75,9 +76,9 @@ class Slv:
         place = candidate.place
         if place not in self._floors:
             self._floors[place] = floor_demand(self.demand, place, self.chain, damaged=self.damaged)
-        found = {"height": (self._floors[place], f"at {place:.3g} of the height")}
+        found = {"height": (self._floors[place], SAY("step.where.floor", place=place))}
         if candidate.on_ground:
-            found = {"ground": (self.demand, "on the ground"), **found}
+            found = {"ground": (self.demand, SAY("step.where.ground")), **found}
         return found
 
     def __call__(self, candidate):

@@ -2,227 +2,224 @@
 
 import math
 
-from studies.assess.anchors import CRUSHING, PUNCHING
+from studies.assess import names
+from studies.assess.catalogue import NOTHING
 from studies.assess.paper import Table
-from studies.assess.shaken import CORNER, FAR, NARROW, STOCKY
-from studies.assess.verdict import g3, per_cent, the, together, words_of
-
-BY = {PUNCHING: "it punches through the wall", CRUSHING: "the wall crushes under it"}
-REASONS = {
-    CORNER: "not over the whole width",
-    NARROW: "not over the whole width",
-    STOCKY: "too low to rock",
-    FAR: "far from the demand",
-}
+from studies.assess.verdict import together
 
 
 def answer(data):
     """The answer on ties, for the first page."""
-    rows, after, tried = (data.tables[k] for k in ("ties", "ties_mechanisms", "ties_tried"))
-    own = data.config["assessment"]
-    if own["tie_levels_m"] == []:
-        return "Not looked for: assessment.tie_levels_m is empty."
+    say, rows, after, tried = (
+        data.say,
+        *(data.tables[k] for k in ("ties", "ties_mechanisms", "ties_tried")),
+    )
+    if data.config["assessment"]["tie_levels_m"] == []:
+        return say("ties.none.not_looked_for")
     beyond = after[after["beyond"] == 1].drop_duplicates("part")
     if rows.empty:
         return _none(data, beyond) + alone(data)
-    said = words_of([_row(r) for r in rows.itertuples()])
     model, made = rows["relied"].iloc[0], len(tried) > 0
-    every = after.drop_duplicates("part")
-    what = f"{counted(every['ratio'] >= 1.0)} mechanisms pass by hand"
-    if made:
-        shaken = after[after["model"] == model]
-        held = counted(shaken["holds"].astype(float) == 1.0)
-        what += f", and {held} that were shaken with {model}"
-    words = f"{said}: with {'these rows' if len(rows) > 1 else 'this row'} {what}."
+    words = _passing(data, model, made)
     if len(beyond):
-        left = words_of([name for name, _ in together(beyond)])
-        words += f" No row at these levels holds {left}."
+        left = say.all_of(name for name, _ in together(beyond, say))
+        words += say("ties.not_held", names=left)
     if rows["built_holds"].all():
-        margin = rows["margin"].iloc[0]
-        words += f" In rods that are sold this is {margin:g} times the least or more."
+        words += say("ties.margin", margin=rows["margin"].iloc[0])
     else:
-        words += " No rods that are sold, on anchors that hold them, give the margin: these do not."
+        words += say("ties.no_margin")
     if not made:
-        words += " The dynamic check was not made."
-    words += " Each anchor holds its rod: "
-    words += "; ".join(f"{_anchor(r)}" for r in rows.itertuples()) + "."
-    return words + not_shaken(after) + beside(after, model) + alone(data)
+        words += say("ties.not_made")
+    words += say("ties.anchors", each="; ".join(_anchor(r, say) for r in rows.itertuples()))
+    return words + not_shaken(after, say) + beside(after, model, say) + alone(data)
 
 
-def counted(flags):
+def _passing(data, model, made):
+    """How many mechanisms pass with the rows, by hand and with the model that they are for."""
+    say, rows, after = data.say, data.tables["ties"], data.tables["ties_mechanisms"]
+    every = after.drop_duplicates("part")
+    about = {"rows": say.all_of(_row(r, say) for r in rows.itertuples())}
+    about["by_hand"] = counted(every["ratio"] >= 1.0, say)
+    if not made:
+        return say.count("ties.passes", len(rows), **about)
+    shaken = after[after["model"] == model]
+    held = counted(shaken["holds"].astype(float) == 1.0, say)
+    return say.count("ties.passes_both", len(rows), **about, held=held, model=model)
+
+
+def counted(flags, say):
     """How many of some are true: all of them, or so many of so many."""
-    count = int(flags.sum())
-    return f"all {len(flags)}" if count == len(flags) else f"{count} of {len(flags)}"
+    count, of = int(flags.sum()), len(flags)
+    return say("ties.every", of=of) if count == of else say("ties.some", count=count, of=of)
 
 
 def _none(data, beyond):
     """What is said where no row is recommended."""
+    say = data.say
     if len(beyond):
-        names = words_of([name for name, _ in together(beyond)])
-        return f"No row at floors or eaves makes the façade pass; {names} fails with the strongest."
-    standing = " besides those that are there" if data.config["facade"]["ties"] else ""
+        left = say.all_of(name for name, _ in together(beyond, say))
+        return say("ties.none.beyond", names=left)
+    besides = "_besides" if data.facade.ties else ""
     if not len(data.tables["ties_tried"]):
-        return f"None{standing} are needed by hand; the dynamic check was not made."
-    return f"None{standing} are needed for this demand with {data.relied}."
+        return say(f"ties.none.by_hand{besides}")
+    return say(f"ties.none.needed{besides}", model=data.relied)
 
 
-def _row(row):
+def _row(row, say):
     """One row of ties in words: rods, level, force."""
-    return (
-        f"{row.count} rods φ{row.diameter_mm:g} of {row.yield_mpa:g} MPa at {row.height_m:.2f} m "
-        f"({kn(row.force_built_kn)})"
+    return say(
+        "ties.row",
+        count=row.count,
+        diameter_mm=row.diameter_mm,
+        yield_mpa=row.yield_mpa,
+        height_m=row.height_m,
+        force_kn=row.force_built_kn,
     )
 
 
-def _anchor(row):
+def _anchor(row, say):
     """What each anchor of a row carries and holds."""
-    return (
-        f"at {row.height_m:.2f} m {kn(row.anchor_load_kn)} of {kn(row.anchor_kn)}, where "
-        f"{BY[row.anchor_by]}"
-    )
+    about = {"height_m": row.height_m, "load_kn": row.anchor_load_kn, "anchor_kn": row.anchor_kn}
+    return say(f"ties.anchor.{row.anchor_by}", **about)
 
 
-def not_shaken(after):
+def not_shaken(after, say):
     """Sentence on the mechanisms of the tied façade that are judged by hand alone."""
     left = after[after["why_not"].fillna("") != ""].drop_duplicates("part")
-    if left.empty:
-        return ""
-    said = []
+    each = []
     for why, part in left.groupby("why_not", sort=False):
-        names = words_of([name for name, _ in together(part)])
-        said.append(f"{names} ({REASONS.get(why, part['why_words'].iloc[0])})")
-    return f" Judged by hand alone: {'; '.join(said)}."
+        own = say.all_of(name for name, _ in together(part, say))
+        each.append(say("ties.left", names=own, why=say(f"ties.why.{why}")))
+    return say("ties.by_hand_alone", each="; ".join(each)) if each else ""
 
 
-def beside(after, model):
+def beside(after, model, say):
     """Sentence on what these rows do with the other models."""
-    words = []
+    each = []
     for name in [m for m in after["model"].dropna().unique() if m not in ("", model)]:
         own = after[after["model"] == name]
-        lost = own[own["holds"].astype(float) == 0.0]
-        words.append(
-            f"with {name} all pass"
-            if lost.empty
-            else f"with {name} {len(lost)} of {len(own)} do not"
-        )
-    return f" With the same rows {words_of(words)}." if words else ""
+        lost = int((own["holds"].astype(float) == 0.0).sum())
+        if lost:
+            each.append(say("ties.beside_lost", model=name, lost=lost, of=len(own)))
+        else:
+            each.append(say("ties.beside_all", model=name))
+    return say("ties.beside", each=say.all_of(each)) if each else ""
 
 
 def alone(data):
     """Remark on what the other models ask for by themselves; nothing where there are none."""
-    table, said = data.tables["ties_models"], []
+    say, table, each = data.say, data.tables["ties_models"], []
     for model, part in table.groupby("model", sort=False):
         rows = part[part["force_kn"].fillna(0.0) > 0.0]
         if not part["holds"].all():
-            said.append(f"{model} asks for more than anchors at these levels hold")
+            each.append(say("ties.alone_more", model=model))
         elif len(rows):
-            forces = words_of(
-                [f"{about(r.force_kn)} kN at {r.height_m:.2f} m" for r in rows.itertuples()]
+            forces = say.all_of(
+                say("ties.alone_force", force_kn=r.force_kn, height_m=r.height_m)
+                for r in rows.itertuples()
             )
-            said.append(f"{model} asks for about {forces}")
+            each.append(say("ties.alone_forces", model=model, forces=forces))
         else:
-            said.append(f"{model} for none")
-    return f" By itself, without margin, {words_of(said)}." if said else ""
+            each.append(say("ties.alone_none", model=model))
+    return say("ties.alone", each=say.all_of(each)) if each else ""
 
 
-def about(value):
-    """Two digits of a number that is known roughly."""
-    return f"{float(f'{value:.2g}'):g}"
-
-
-def kn(force_kn):
-    """A force to a tenth, and to two digits where that would leave nothing of it."""
-    return f"{force_kn:.1f} kN" if force_kn >= 0.05 else f"{force_kn:.2g} kN"
-
-
-def asked_by(row):
-    """What fails with 95 % of a row of ties.csv."""
-    by_hand = not isinstance(row.governed_by, str) or not row.governed_by
-    return "checks by hand" if by_hand else f"{row.governed_by}, {row.model}"
+def asked_by(row, after, say):
+    """What fails with 95 % of a row of ties.csv; `after` is the table of mechanisms."""
+    if not isinstance(row.governed_part, str) or not row.governed_part:
+        return say("ties.asked_by_hand")
+    known = after[after["part"] == row.governed_part]
+    name = names.name(next(known.itertuples()), say) if len(known) else row.governed_part
+    return say("ties.asked_by", name=name, model=row.model)
 
 
 def section(data):
     """Lines and tables of the rows of ties with which the façade passes."""
-    rows, after, folder = data.tables["ties"], data.tables["ties_mechanisms"], data.folder
+    say, rows, after = data.say, data.tables["ties"], data.tables["ties_mechanisms"]
     beyond = after[after["beyond"] == 1].drop_duplicates("part")
     lines, tables, own = [answer(data)], [], data.config["assessment"]
     if len(rows):
-        tables = [_rows(rows, folder), _after(after, folder)]
-        length = "stated" if own["tie_length_m"] else "the façade's width, since none is stated"
+        tables = [_rows(data), _after(data)]
         lines.append(
-            f"To assess the façade with these rows under the same motions, give {folder}/ties.yaml "
-            "after its own file. By hand each row is the least: with less in any one of them a "
-            "mechanism fails. Under the motions rows that pull on a failing mechanism grow until "
-            "it holds, one or all of them, by the least force in sum; then each gives back what "
-            f"the others have made needless. Rods are {rows['length_m'].iloc[0]:g} m long "
-            f"({length}); with fewer of them, or thinner walls, an anchor fails first. An anchor "
-            f"is a plate of {own['anchor_plate_m']:g} m, its strength by masonry of τ0 = "
-            f"{own['masonry_shear_mpa']:g} and f = {own['masonry_compression_mpa']:g} MPa over FC "
-            "and γ_M = 2 (appendix D): verify it on site."
+            say(
+                f"ties.how.{'stated' if own['tie_length_m'] else 'width'}",
+                folder=data.folder,
+                length_m=rows["length_m"].iloc[0],
+                plate_m=own["anchor_plate_m"],
+                shear_mpa=own["masonry_shear_mpa"],
+                compression_mpa=own["masonry_compression_mpa"],
+            )
         )
     if len(beyond):
-        opens = beyond["held_m"].notna().any()
-        where = ", such as the height at which a wall opens as it bends" if opens else ""
-        lines.append(
-            f"Not held by rows at these levels: {'; '.join(map(the, beyond.itertuples()))}. Hold "
-            f"these otherwise, or state further levels in assessment.tie_levels_m{where}."
-        )
+        key = "opens" if beyond["held_m"].notna().any() else "any"
+        each = "; ".join(names.the(row, say) for row in beyond.itertuples())
+        lines.append(say(f"ties.beyond.{key}", names=each))
     return {"lines": lines, "tables": tables}
 
 
-def _rows(rows, folder):
+def _rows(data):
     """Table of the rows in steel, and the check of their anchors."""
-    return Table(
-        "Rows of ties that are recommended. Least: the force of the whole row with which every "
-        "mechanism passes, by hand and with the dynamic check. Rods and anchors are for that force "
-        "times the margin; each anchor's load is what its rod yields at. Last column: what fails "
-        "with 95 % of the least.",
-        ("level", "by hand", "least", "rods", "force", "anchor: load, strength", "asked for by"),
-        [
+    say, after, cells = data.say, data.tables["ties_mechanisms"], []
+    for r in data.tables["ties"].itertuples():
+        by = say(f"ties.table.{r.anchor_by}")
+        load = {"load_kn": r.anchor_load_kn, "anchor_kn": r.anchor_kn, "most": r.anchors_most}
+        rods = {"diameter_mm": r.diameter_mm, "yield_mpa": r.yield_mpa}
+        cells.append(
             (
-                f"{r.height_m:.2f} m",
-                kn(r.force_by_hand_kn) if r.force_by_hand_kn else "–",
-                kn(r.force_kn),
-                f"{r.count} φ{r.diameter_mm:g}, {r.yield_mpa:g} MPa",
-                kn(r.force_built_kn),
-                f"{kn(r.anchor_load_kn)} ≤ {kn(r.anchor_kn)} ({r.anchor_by}); "
-                f"{r.count} of {r.anchors_most} that fit",
-                asked_by(r),
+                say("ties.table.at", height_m=r.height_m),
+                say.number(r.force_by_hand_kn, "kn") if r.force_by_hand_kn else NOTHING,
+                say.number(r.force_kn, "kn"),
+                say("ties.table.of_rods", count=r.count, **rods),
+                say.number(r.force_built_kn, "kn"),
+                say("ties.table.of_anchor", by=by, count=r.count, **load),
+                asked_by(r, after, say),
             )
-            for r in rows.itertuples()
-        ],
+        )
+    columns = ("level", "by_hand", "least", "rods", "force", "anchor", "asked")
+    return Table(
+        say("ties.table.caption"),
+        tuple(say(f"ties.table.{key}") for key in columns),
+        cells,
         (0.08, 0.1, 0.1, 0.16, 0.1, 0.24, 0.22),
-        f"{folder}/ties.csv",
+        f"{data.folder}/ties.csv",
     )
 
 
-def _after(after, folder):
+def _after(data):
     """Table of what every mechanism then does, by hand and with every model."""
+    say, after, told = data.say, data.tables["ties_mechanisms"], []
     models = [m for m in after["model"].dropna().unique() if m]
-    told = []
     for _, part in after.groupby("part", sort=False):
-        first, cells = part.iloc[0], []
+        first = next(part.itertuples())
         own = part.set_index("model")
-        for model in models:
-            cells.append(_of_model(own.loc[model]) if model in own.index else "–")
-        why = first["why_words"] if isinstance(first["why_words"], str) else ""
-        name = f"{first['mechanism']}{f'; not shaken: {why}' if why else ''}"
-        told.append((name, f"{g3(first['pga_fails_g'])} ({per_cent(first['ratio'])})", *cells))
+        cells = [_of_model(own.loc[m], say) if m in own.index else NOTHING for m in models]
+        name = named(first, say, isinstance(first.why_not, str) and first.why_not)
+        by_hand = {"pga_g": first.pga_fails_g, "share": first.ratio}
+        told.append((name, say("table.pga_share", **by_hand), *cells))
     return Table(
-        "What every mechanism then does: the PGA at which its SLV check by hand fails, over the "
-        "demand's in brackets, and by model the mean of the largest displacements over d_SLV in "
-        "the dynamic check (up to the first history beyond d0).",
-        ("mechanism with these rows", "by hand [g]", *models),
+        say("ties.after.caption"),
+        (say("ties.after.mechanism"), say("ties.after.by_hand"), *models),
         told,
         (0.36, 0.16, *[0.48 / max(len(models), 1)] * len(models)),
-        f"{folder}/ties_mechanisms.csv",
+        f"{data.folder}/ties_mechanisms.csv",
     )
 
 
-def _of_model(row):
+def named(row, say, why):
+    """Name of a mechanism in a table, with the reason where it is not shaken."""
+    name = names.name(row, say)
+    if not why:
+        return name
+    reason = say(f"verdict.why_told.{why}", pga_g=row.pga_fails_g)
+    return say("table.not_shaken", name=name, why=reason)
+
+
+def _of_model(row, say):
     """What the dynamic check says of one mechanism under one model."""
     if math.isnan(row["mean_d_m"]):
-        return "–"
-    over = f", {row['exceed_d0']:.0f} beyond d0" if row["exceed_d0"] else ""
-    word = "passes" if row["holds"] else "fails"
-    return f"{word}: {1e3 * row['mean_d_m']:.0f} of {1e3 * row['d_slv_m']:.0f} mm{over}"
+        return NOTHING
+    about = {"mean": 1e3 * row["mean_d_m"], "slv_m": row["d_slv_m"]}
+    key = "ties.after.passes" if row["holds"] else "ties.after.fails"
+    if row["exceed_d0"]:
+        return say(f"{key}_beyond", **about, count=row["exceed_d0"])
+    return say(key, **about)

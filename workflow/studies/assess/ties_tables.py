@@ -3,15 +3,17 @@
 import math
 
 from studies.assess.shaken import why_not
+from studies.assess.sites import EXTENT
 
 ROWS = ["height_m", "force_by_hand_kn", "force_kn", "margin", "force_built_kn", "count"]
 ROWS += ["diameter_mm", "yield_mpa", "length_m", "anchor_kn", "anchor_load_kn", "anchor_by"]
-ROWS += ["anchors_most", "model", "governed_by", "relied", "built_holds"]
+ROWS += ["anchors_most", "model", "governed_by", "governed_part", "relied", "built_holds"]
 MODELS = ["model", "height_m", "force_kn", "holds"]
+PLACES = ("held_m", "foot_m", "hinge_m", "side", *EXTENT, "at_foot")  # what names a mechanism
 AFTER = [
     "part",
     "mechanism",
-    "held_m",
+    *PLACES,
     "pga_fails_g",
     "ratio",
     "why_not",
@@ -49,6 +51,7 @@ def table_of(tied, result, relied=""):
             "anchors_most": tied.most(row.height_m),
             "model": why.model if why else "",
             "governed_by": why.mechanism if why else "",
+            "governed_part": why.part if why else "",
             "relied": relied,
             "built_holds": int(result.holds),
         }
@@ -89,7 +92,7 @@ def after(tied, result, shaken):
         about = (
             name,
             one.name,
-            one.held_m,
+            *(getattr(one, key) for key in PLACES),
             pga_g,
             pga_g / tied.demand.pga_g,
             *why,

@@ -5,6 +5,7 @@ import json
 from rocking.fidelity import CHOSEN
 from rocking.mechanics.beta import CalibrationError, beta_and_range
 
+from studies.assess.catalogue import NOTHING, SAY
 from studies.assess.checks import LEAST_KNOWN, confidence
 from studies.assess.inputs import every_value
 
@@ -21,62 +22,63 @@ SECTIONS = (
 HAZARD = ("hazard", "site")  # of section risk
 ALONE = ("models", "records_table", "directions", "vertical_motion", "seed")
 OVERRULED = ("damping.beta_s", "assessment.confidence_factor")  # a rule may stand for these
-IN_ROWS = {"arm_m": "half the thickness", "anchor_kn": "more than the steel"}  # where null
+IN_ROWS = {"arm_m": "half", "anchor_kn": "steel"}  # keys of what stands for null
 STATED, DERIVED, DEFAULT = "stated", "derived", "default"
 
 
-def _words(value):
+def _told(value, say):
+    """A value as it stands in a table."""
     if value is None:
-        return "none"
+        return say("hand.value.none")
     if isinstance(value, float):
-        return f"{value:g}"
+        return say.number(value, "g")
     if isinstance(value, str):
-        return value or "–"
+        return value or NOTHING
     return json.dumps(value, ensure_ascii=False)
 
 
-def _derived(config):
+def _derived(config, say):
     """What stands for keys that are null, or is not used as stated: text by key."""
     f, own, chain = config["facade"], config["assessment"], config["smdof"]
-    loads = sum(row["load_kn"] for row in f["floors"])
-    beta, outside = beta_and_range(config)
-    law = config["damping"]["law"]
-    words = {
-        "facade.base_stiffness_pa_m": f"{1e6 * f['e_mpa'] / f['height_m']:.4g} (E/h; facade.base "
-        "says where it sits)",
-        "facade.parapet_thickness_m": "that of the highest storey",
-        "return_wall.length_m": f"{0.5 * f['height_m']:.4g} (h/2)",
-        "return_wall.building_mass_kg": "of the brick model",
-        **{f"numerics.{key}": "from measured convergence" for key in CHOSEN},
-        "assessment.roof_load_kn": f"{loads:g} (of facade.floors)",
-        "assessment.roof_arm_m": "middle of the thickness",
-        "assessment.height_ratio": "middle of the line that holds the façade",
-        "assessment.building_damping": f"{chain['damping_ratio']:g} (smdof.damping_ratio)",
-        "assessment.match_high_s": "T_SLC of the whole façade, from 2 to 4 s",
+    loads_kn = float(sum(row["load_kn"] for row in f["floors"]))
+
+    def told(key, **about):
+        return say(f"hand.value.{key}", **about)
+
+    found = {
+        "facade.base_stiffness_pa_m": told("base", value=1e6 * f["e_mpa"] / f["height_m"]),
+        "facade.parapet_thickness_m": told("parapet"),
+        "return_wall.length_m": told("wall", value=0.5 * f["height_m"]),
+        "return_wall.building_mass_kg": told("mass"),
+        **{f"numerics.{key}": told("convergence") for key in CHOSEN},
+        "assessment.roof_load_kn": told("roof", value=loads_kn),
+        "assessment.roof_arm_m": told("arm"),
+        "assessment.height_ratio": told("ratio"),
+        "assessment.building_damping": told("damping", value=chain["damping_ratio"]),
+        "assessment.match_high_s": told("match"),
     }
+    law = config["damping"]["law"]
     if law != "value":
-        words["damping.beta_s"] = f"{beta:.4g} (law {law}" + (f"; {outside})" if outside else ")")
-    used = confidence(own["confidence_factor"], own["hinge_inset_m"])
-    if used != own["confidence_factor"]:
-        words["assessment.confidence_factor"] = (
-            f"{LEAST_KNOWN} (knowledge level 1: the hinge does not crush; stated "
-            f"{own['confidence_factor']:g})"
-        )
-    return words
+        beta, outside = beta_and_range(config)
+        found["damping.beta_s"] = told("beta_outside" if outside else "beta", value=beta, law=law)
+    stated = own["confidence_factor"]
+    if confidence(stated, own["hinge_inset_m"]) != stated:
+        found["assessment.confidence_factor"] = told("confidence", used=LEAST_KNOWN, stated=stated)
+    return found
 
 
-def _beside_eq5(config):
+def _beside_eq5(config, say):
     """A β that is given as a value, beside what eq. 5 says of this façade."""
-    own = f"{config['damping']['beta_s']:g}"
+    own = config["damping"]["beta_s"]
     try:
         beta, outside = beta_and_range(config | {"damping": {"law": "eq5"}})
     except CalibrationError:
-        return f"{own} (eq. 5 has no value for this façade)"
-    words = f"{own} (not of this façade; eq. 5 gives {beta:.4g}"
-    return words + (f"; {outside})" if outside else ")")
+        return say("hand.value.beta_alone", own=own)
+    key = "hand.value.beta_given_outside" if outside else "hand.value.beta_given"
+    return say(key, own=own, value=beta)
 
 
-def values(config, given):
+def values(config, given, say=SAY):
     """Rows (key, value, standing) of every key of a configuration that the assessment rests on.
 
     `given` are the dotted keys that the user states.
@@ -84,7 +86,7 @@ def values(config, given):
     parts = {key: config[key] for key in (*ALONE, *SECTIONS)}
     parts["ida"] = {"max_pga_g": config["ida"]["max_pga_g"]}
     parts["risk"] = {key: config["risk"][key] for key in HAZARD}
-    known, given = _derived(config), set(given)
+    known, given = _derived(config, say), set(given)
     rows = []
     for key, value in every_value(parts).items():
         stated = key in given or any(key.startswith(f"{g}.") for g in given)
@@ -93,10 +95,10 @@ def values(config, given):
             continue
         place, _, last = key.rpartition(".")
         if value is None and last in IN_ROWS and place[-1:].isdigit():
-            rows.append((key, IN_ROWS[last], DERIVED))
+            rows.append((key, say(f"hand.value.{IN_ROWS[last]}"), DERIVED))
             continue
-        words = _words(value)
+        told = _told(value, say)
         if key == "damping.beta_s" and config["facade"]["sides"] == "one":
-            words = _beside_eq5(config)
-        rows.append((key, words, STATED if stated else DEFAULT))
+            told = _beside_eq5(config, say)
+        rows.append((key, told, STATED if stated else DEFAULT))
     return rows

@@ -1,25 +1,16 @@
 """What a report says first: the verdict in three sentences, what it rests on, what is next."""
 
-import math
-
-import pandas as pd
 from rocking.stations import FEWEST
 
+from studies.assess import names
+from studies.assess.catalogue import SAY
 from studies.assess.dynamic_check import LEAST_DRAWS, surely
-from studies.assess.inputs import GOVERNS
-from studies.assess.shaken import CORNER, FAR, REFUSED, STOCKY
-from studies.assess.walls import named as wall_named
+from studies.assess.held import GOVERNS
+from studies.assess.shaken import CORNER
 
 ROUNDED = 1e-4  # relative; tables have six figures
 SURE = 0.005  # of a probability that rounds to 0 or 100 %
-RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-NOT_SHAKEN = {  # by why a mechanism was not shaken
-    CORNER: "not over the whole width",
-    STOCKY: "lower than twice the thickness there, where a wall slides before it rocks",
-    FAR: "by hand far from the demand",
-    REFUSED: "which the models do not take",
-}
-NOT_MADE = "The code's dynamic check was not made: too few motions of different stations."
+HELD, LOST, DOUBT = "held", "lost", "doubt"  # of a dynamic check
 
 
 def as_stated(mechanisms):
@@ -27,56 +18,18 @@ def as_stated(mechanisms):
     return mechanisms[mechanisms["kind"] == "as stated"].sort_values("pga_fails_g")
 
 
-def g3(value):
-    """Three figures, a word where there is no end, or a dash."""
-    if pd.isna(value):
-        return "–"
-    return "never" if value == float("inf") else f"{value:.3g}"
+def collapses(row, say=SAY, bare=False):
+    """Probability of collapse and its interval in whole per cent; no interval where both are 0.
 
-
-def per_cent(value):
-    """Whole per cent; what is just short of the whole keeps a tenth, and is not 100 %."""
-    if 0.995 <= value < 1.0:
-        return f"{math.floor(1000.0 * value) / 10.0:.1f} %"
-    return f"{100 * value:.0f} %".replace("-", "−")
-
-
-def bends(row):
-    """Whether a row of a table of mechanisms is vertical bending: a level of it stays in place."""
-    return bool(pd.notna(row.held_m))
-
-
-def the(row):
-    """A mechanism's name within a sentence: all but vertical bending take the article."""
-    return row.mechanism if bends(row) else f"the {row.mechanism}"
-
-
-def short(row):
-    """A mechanism's name within a list, without what stands at its foot."""
-    return the(row).split(" (", 1)[0]
-
-
-def powered(value):
-    """Two figures of a rate: 0.0014, 8.8·10⁻⁵."""
-    if not 0.0 < value < 1e-3:
-        return f"{value:.2g}"
-    digits, exponent = f"{value:.1e}".split("e")
-    return f"{digits}·10{str(int(exponent)).translate(RAISED)}"
-
-
-def collapses(row, sign=""):
-    """Probability of collapse and its interval in whole per cent; no interval where both are 0."""
+    A `bare` interval leaves the sign of per cent out.
+    """
     if row.probability_high < SURE:
-        return "under 1 %", ""
+        return say("verdict.share.under"), ""
     if row.probability_low > 1.0 - SURE:
-        return "over 99 %", ""
-    low, high = 100 * row.probability_low, 100 * row.probability_high
-    return per_cent(row.probability), f" ({low:.0f} to {high:.0f}{sign})"
-
-
-def words_of(names):
-    """Names in a sentence: one, two and three."""
-    return " and ".join([", ".join(names[:-1]), names[-1]] if names[1:] else names)
+        return say("verdict.share.over"), ""
+    ends = {"low": 100 * row.probability_low, "high": 100 * row.probability_high}
+    key = "verdict.share.interval_bare" if bare else "verdict.share.interval"
+    return say.number(row.probability, "percent"), say(key, **ends)
 
 
 def gives_way(row):
@@ -84,10 +37,10 @@ def gives_way(row):
     return row["d_slv_m"] < 0.4 * row["d0_m"] * (1.0 - ROUNDED)
 
 
-def relied_on(names):
-    """Model that the rate rests on: W2m where it is among them, else the last; None of none."""
-    names = list(dict.fromkeys(names))
-    return None if not names else GOVERNS if GOVERNS in names else names[-1]
+def relied_on(models):
+    """Model that the rate rests on: W2m where it is among them, else the last; None without any."""
+    models = list(dict.fromkeys(models))
+    return None if not models else GOVERNS if GOVERNS in models else models[-1]
 
 
 def passes(checks, mechanisms, verdicts):
@@ -103,108 +56,116 @@ def passes(checks, mechanisms, verdicts):
     return by_hand, bool(surely(verdicts).all())
 
 
-def headline(checks, mechanisms, verdicts, shaken, when, factor, facade, fit=None):
+def outcome(by_hand, held):
+    """Key of the first sentence, by what `passes` says."""
+    if not by_hand:
+        return "fails"
+    return "by_hand" if held is None else "passes" if held else "under_motions"
+
+
+def headline(tables, about, fit=None, say=SAY):
     """What the report says first: the verdict, the check by hand, the dynamic check, what is left.
 
-    Of the report's tables; `when` says the demand's return period, or that it is the stated one,
-    `factor` is the FC that was used, `facade` a section, `fit` as of `selection.fit_of`.
+    Tables are the report's by name: code_checks, mechanisms, verdicts and shaken. `about` has when
+    (`when`), factor (the FC that was used) and wall (`walls.named`), `fit` is of
+    `selection.fit_of`.
     """
-    by_hand, held = passes(checks, mechanisms, verdicts)
-    demand, stated = checks["pga_demand_g"].iloc[0], as_stated(mechanisms)
-    share = per_cent(stated["pga_fails_g"].iloc[0] / demand)
-    outcome, state = "does not pass", "lost at"
-    if by_hand and held is False:
-        state = "lost under recorded motions; by hand it is kept up to"
-    elif by_hand:
-        outcome, state = "passes by hand" if held is None else "passes", "kept up to"
-    first = (
-        f"{when} (PGA {g3(demand)} g) the façade {outcome}: life safety (SLV) is {state} {share} "
-        f"of that shaking, with FC = {factor:g}. The wall that is shaken is {wall_named(facade)}."
+    checks, mechanisms, verdicts, shaken = (
+        tables[key] for key in ("code_checks", "mechanisms", "verdicts", "shaken")
     )
-    governed = f"{_governed(verdicts, shaken, held, fit)}{by_hand_alone(shaken)}"
-    return [first, kinematic(stated, demand), governed]
+    by_hand, held = passes(checks, mechanisms, verdicts)
+    demand_g, stated = checks["pga_demand_g"].iloc[0], as_stated(mechanisms)
+    share = stated["pga_fails_g"].iloc[0] / demand_g
+    key = f"verdict.first.{outcome(by_hand, held)}"
+    first = say(key, demand_g=demand_g, share=share, **about)
+    governed = _governed(verdicts, shaken, held, fit, say)
+    return [first, kinematic(stated, demand_g, say), governed + by_hand_alone(shaken, say)]
 
 
-def capacity(stated, demand_g, return_years):
+def when(own, say=SAY):
+    """What the demand is, to begin a sentence with; of section assessment."""
+    stated = own["spectrum"] or (own["ag_g"] is not None)
+    if stated and not own["hazard"]:
+        return say("verdict.when.stated")
+    return say("verdict.when.return_period", years=own["return_period_years"])
+
+
+def capacity(stated, demand_g, period, say=SAY):
     """ζE and the return period of the PGA at which the weakest mechanism's check by hand fails.
 
-    `return_years` is that of the capacity as `national.return_period_of` has it; None without rows
-    of the hazard.
+    `period` is that of the capacity as `national.return_period_of` has it; None without rows of the
+    hazard.
     """
     ratio = stated["pga_fails_g"].iloc[0] / demand_g
-    said = f"By hand ζE = {ratio:.2f}, the PGA of the capacity over the demand's"
-    if return_years is None:
-        return f"{said}; its return period wants assessment.hazard, the rows of NTC 2018."
-    return f"{said}; the capacity has a return period of {return_years} years."
+    told = say("verdict.capacity.ratio", ratio=ratio)
+    if period is None:
+        return say("verdict.capacity.unknown", ratio=told)
+    key, years = period
+    return say(f"verdict.capacity.{key}", ratio=told, years=years)
 
 
-def early(stated):
+def early(stated, say=SAY):
     """Sentence on mechanisms whose ties or anchors give way early; nothing where there are none.
 
     Both numbers are told: by the letter, and without these links.
     """
     own = stated[stated["links_left_out"] > 0]
-    if own.empty:
-        return ""
-    said = "; ".join(
-        f"{short(r)} {g3(r.pga_letter_g)} g by the letter, {g3(r.pga_fails_g)} g without them"
+    each = [
+        say(
+            "verdict.kinematic.early_one",
+            name=names.short(r, say),
+            letter_g=r.pga_letter_g,
+            pga_g=r.pga_fails_g,
+        )
         for r in own.itertuples()
-    )
-    return f" Ties or anchors give way early: {said}, which counts (C8.7.1.2.1.6)."
+    ]
+    return say("verdict.kinematic.early", each="; ".join(each)) if each else ""
 
 
-def _governed(verdicts, shaken, held, fit):
+def _governed(verdicts, shaken, held, fit, say):
     """The dynamic check of the model and mechanism that decide, and what the others say."""
     if held is None:
-        return NOT_MADE
+        return say("verdict.dynamic.not_made")
     model = decided_by(verdicts)
-    names = {row.part: row for row in shaken.itertuples()}
+    rows = {row.part: row for row in shaken.itertuples()}
     worst = deciding(verdicts).set_index("model")
-    row, count = worst.loc[model], verdicts["part"].nunique()
-    words = (
-        f"The code's dynamic check (C8.7.1.2.1.9) of the {count} mechanism{'s' * (count > 1)} that "
-        f"{'were' if count > 1 else 'was'} shaken is {'' if held else 'not '}fulfilled. The model "
-        f"that governs is {model}: {moving(names[row['part']])} {1e3 * row['mean_d_m']:.0f} mm in "
-        f"the mean of {row['motions']:.0f} histories, where d_SLV is {1e3 * row['d_slv_m']:.0f} mm"
-    )
+    row = worst.loc[model]
+    key = "verdict.dynamic.fulfilled" if held else "verdict.dynamic.failed"
+    words = say.count(key, verdicts["part"].nunique())
+    one = rows[row["part"]]
+    about = {"model": model, "name": names.the(one, say), "motions": row["motions"]}
+    moves = "joint" if names.kind_of(one) == names.BENDING else "top"
+    lengths = {"mean_m": row["mean_d_m"], "slv_m": row["d_slv_m"]}
+    words += " " + say(f"verdict.dynamic.governs_{moves}", **about, **lengths)
     if row["exceed_d0"]:
-        words += f", and goes beyond d0 in {row['exceed_d0']:.0f} of them"
+        words += say("verdict.dynamic.beyond", count=row["exceed_d0"])
     if row["slv"] and not held:
-        words += (
-            f". With these histories it would be fulfilled, but only in {per_cent(row['agree'])} "
-            "of draws of perturbed ones, so it counts as not fulfilled"
-        )
+        words += say("verdict.dynamic.doubt", share=row["agree"])
     elif row["agree"] < LEAST_DRAWS:
-        words += f"; {per_cent(row['agree'])} of draws of single histories say the same"
-    words += "." + _others(surely(worst).drop(model))
+        words += say("verdict.dynamic.draws", share=row["agree"])
+    words += "." + _others(surely(worst).drop(model), say)
     if fit is not None and not fit[2]:
-        words += " The motions' mean spectrum does not fit the demand within the code's bounds."
+        words += say("verdict.dynamic.misfit")
     return words
 
 
-def _others(sure):
+def _others(sure, say):
     """What the check says with the other models: `sure` has by model whether it is fulfilled."""
-    said = [(list(sure.index[sure]), "fulfilled"), (list(sure.index[~sure]), "not fulfilled")]
-    return "".join(f" With {words_of(names)} it is {what}." for names, what in said if names)
+    told = {"fulfilled": list(sure.index[sure]), "failed": list(sure.index[~sure])}
+    return "".join(
+        say(f"verdict.dynamic.others_{key}", models=say.all_of(models))
+        for key, models in told.items()
+        if models
+    )
 
 
-def moving(row):
-    """What the displacement of a mechanism is of, to begin a clause with."""
-    name = row.mechanism
-    return f"the joint of {name}, moves" if bends(row) else f"the top of the {name} moves"
-
-
-def kinematic(stated, demand):
+def kinematic(stated, demand_g, say=SAY):
     """The non-linear kinematic check of the weakest mechanism."""
     least = next(stated.itertuples())
-    share = least.pga_fails_g / demand
-    verdict = "passes" if share >= 1.0 else "fails"
-    return (
-        f"The façade {verdict} the non-linear kinematic check of the Circolare 7/2019 for life "
-        f"safety (SLV): the weakest of {len(stated)} mechanisms, {the(least)}, holds "
-        f"up to a PGA of {g3(least.pga_fails_g)} g, {per_cent(share)} of the demand's "
-        f"{g3(demand)} g.{early(stated)}"
-    )
+    share = least.pga_fails_g / demand_g
+    about = {"count": len(stated), "name": names.the(least, say), "pga_g": least.pga_fails_g}
+    key = "verdict.kinematic.passes" if share >= 1.0 else "verdict.kinematic.fails"
+    return say(key, **about, share=share, demand_g=demand_g) + early(stated, say)
 
 
 def deciding(verdicts):
@@ -231,114 +192,125 @@ def decided_by(verdicts):
 
 
 def held_or_not(verdicts):
-    """In words whether each row of verdicts is fulfilled for SLV."""
+    """Key of whether each row of verdicts is fulfilled for SLV: HELD, LOST, DOUBT."""
     sure = surely(verdicts)
-    words = sure.map({True: "held", False: "not held"})
-    return words.mask(~sure & verdicts["slv"].astype(bool), "in doubt")
+    keys = sure.map({True: HELD, False: LOST})
+    return keys.mask(~sure & verdicts["slv"].astype(bool), DOUBT)
 
 
-def by_hand_alone(shaken):
+def by_hand_alone(shaken, say=SAY):
     """End of a paragraph: which mechanisms were not shaken, and why; nothing where there are none.
 
     Each is named with the PGA at which it fails by hand.
     """
-    left = shaken[shaken["shaken"] == 0]
-    if left.empty:
-        return ""
-    said = []
+    left, told = shaken[shaken["shaken"] == 0], []
     for why, part in left.groupby("why_not", sort=False):
-        names = [f"{name} ({g3(pga_g)} g)" for name, pga_g in together(part)]
-        reason = NOT_SHAKEN.get(why, part["why_words"].iloc[0])
-        said.append(f"{words_of(names)}, {reason}")
-    return f" Not shaken, judged by hand alone: {'; '.join(said)}."
+        each = [
+            say("verdict.left.name", name=name, pga_g=pga_g) for name, pga_g in together(part, say)
+        ]
+        reason = say(f"verdict.why.{why}")
+        told.append(say("verdict.left.one", names=say.all_of(each), why=reason))
+    return say("verdict.left.all", each="; ".join(told)) if told else ""
 
 
-def together(rows):
+def together(rows, say=SAY):
     """Names of mechanisms and the PGA at which each fails [g], two corners that are alike as one.
 
     Corners have a key of their own, `why_not`.
     """
     corners = rows["why_not"] == CORNER
     if corners.sum() == 2 and rows.loc[corners, "pga_fails_g"].round(6).nunique() == 1:
-        found = [(short(r), r.pga_fails_g) for r in rows[~corners].itertuples()]
-        return [*found, ("both corners", rows.loc[corners, "pga_fails_g"].iloc[0])]
-    return [(short(r), r.pga_fails_g) for r in rows.itertuples()]
+        found = [(names.short(r, say), r.pga_fails_g) for r in rows[~corners].itertuples()]
+        both = say("mechanism.both_corners")
+        return [*found, (both, rows.loc[corners, "pga_fails_g"].iloc[0])]
+    return [(names.short(r, say), r.pga_fails_g) for r in rows.itertuples()]
 
 
-def dynamic_check(verdicts, fit, shaken):
+def dynamic_check(verdicts, fit, shaken, say=SAY):
     """The code's own dynamic check in one sentence.
 
     Verdicts are of every model and mechanism, as of `dynamic_check.verdict`; `fit` as of
     `selection.fit_of`, `shaken` of `shaken.chosen`.
     """
     if verdicts.empty:
-        return NOT_MADE
-    count = int(shaken["shaken"].sum())
-    names = {row.part: row for row in shaken.itertuples()}
-    verdicts = deciding(verdicts)
+        return say("verdict.dynamic.not_made")
+    count, verdicts = int(shaken["shaken"].sum()), deciding(verdicts)
     sure = surely(verdicts)
     held, lost = (list(verdicts.loc[own, "model"]) for own in (sure, ~sure))
-    row = verdicts.iloc[0]
-    about = f"under {row['motions']:.0f} histories of recorded motions scaled to the demand"
-    if fit is not None and not fit[2]:
-        about += ", whose mean does not fit its spectrum within the code's bounds"
-    said = ", ".join(
-        f"{1e3 * r.mean_d_m:.0f} mm with {r.model}"
-        + (f" ({r.exceed_d0:.0f} beyond d0)" if r.exceed_d0 else "")
-        for r in verdicts.itertuples()
-    )
-    limits = []
-    for _, own in verdicts.drop_duplicates("part" if count > 1 else "d_slv_m").iterrows():
-        where = f" of {the(names[own['part']])}" if count > 1 else " there"
-        limit = f"d_SLV{where} is {1e3 * own['d_slv_m']:.3g} mm"
-        limits.append(limit + ", where a tie or an anchor gives way" * bool(gives_way(own)))
-    if not lost:
-        verdict = f"is fulfilled{' for every model' * (len(verdicts) > 1)}"
-    elif not held:
-        verdict = f"is not fulfilled{' for any model' * (len(verdicts) > 1)}"
-    else:
-        verdict = f"is fulfilled for {words_of(held)} and not for {words_of(lost)}"
+    fits = fit is None or fit[2]
     unsure = [r.model for r in verdicts.itertuples() if r.agree < LEAST_DRAWS]
-    of = "the whole façade" if count == 1 else f"{count} mechanisms"
-    top = "the top" if count == 1 else "the top of the worst of them"
-    words = f"The code's dynamic check of {of} (C8.7.1.2.1.9) {verdict}, {about}: "
-    words += f"mean displacements of {top} are {said}; {'; '.join(limits)}"
-    if unsure:
-        words += f"; for {words_of(unsure)} the verdict hangs on the numerics"
-    return f"{words}.{by_hand_alone(shaken)}"
+    of = say("verdict.dynamic.whole") if count == 1 else say("verdict.dynamic.several", count=count)
+    under = "verdict.dynamic.under" if fits else "verdict.dynamic.under_misfit"
+    words = say(
+        f"verdict.dynamic.section_{'whole' if count == 1 else 'several'}",
+        of=of,
+        verdict=_verdict(held, lost, say),
+        under=say(under, motions=verdicts["motions"].iloc[0]),
+        moves=", ".join(_moves(row, say) for row in verdicts.itertuples()),
+        limits="; ".join(_limits(verdicts, shaken, count, say)),
+        unsure=say("verdict.dynamic.unsure", models=say.all_of(unsure)) if unsure else "",
+    )
+    return words + by_hand_alone(shaken, say)
 
 
-def no_rate(dynamic, config):
+def _verdict(held, lost, say):
+    """Whether the check is fulfilled, by the models with which it is and is not."""
+    if held and lost:
+        both = {"held": say.all_of(held), "lost": say.all_of(lost)}
+        return say("verdict.dynamic.is.some", **both)
+    which, many = (HELD, held) if held else (LOST, lost)
+    return say(f"verdict.dynamic.is.{'one' if len(many) == 1 else 'all'}_{which}")
+
+
+def _moves(row, say):
+    about = {"mean_m": row.mean_d_m, "model": row.model}
+    if row.exceed_d0:
+        return say("verdict.dynamic.moves_beyond", **about, count=row.exceed_d0)
+    return say("verdict.dynamic.moves", **about)
+
+
+def _limits(verdicts, shaken, count, say):
+    """d_SLV of the mechanisms that decide, and whether a link sets it."""
+    rows, found = {row.part: row for row in shaken.itertuples()}, []
+    for _, own in verdicts.drop_duplicates("part" if count > 1 else "d_slv_m").iterrows():
+        about = {"slv_m": own["d_slv_m"]}
+        if count > 1:
+            name = names.the(rows[own["part"]], say)
+            limit = say("verdict.dynamic.limit_of", name=name, **about)
+        else:
+            limit = say("verdict.dynamic.limit_there", **about)
+        found.append(say("verdict.dynamic.gives_way", limit=limit) if gives_way(own) else limit)
+    return found
+
+
+def no_rate(dynamic, config, say=SAY):
     """Why there is no annual rate: what has to be stated or given."""
     wants = []
     if not config["assessment"]["hazard"] and config["risk"]["hazard"] is None:
-        wants.append("state assessment.hazard (the rows of NTC 2018) or risk.hazard")
+        wants.append(say("verdict.no_rate.hazard"))
     if dynamic["stations"].max() < FEWEST:
-        wants.append(f"give motions of {FEWEST} stations or more")
-    return f"No rate: {' and '.join(wants)}."
+        wants.append(say("verdict.no_rate.motions", fewest=FEWEST))
+    return say("verdict.no_rate.all", wants=say.all_of(wants))
 
 
-def suite(dynamic, several=False):
+def suite(dynamic, several=False, say=SAY):
     """Collapse under all motions of the run, by the first of several parts."""
     stations = int(dynamic["stations"].max())
     if stations < FEWEST:
-        said = "; ".join(
-            f"{r.model} fell under {r.fell_at_demand:.0f} of {r.curves:.0f} (the first at "
-            f"{g3(r.least_pga_g)} g)"
+        each = [
+            say(
+                "verdict.suite.fell",
+                model=r.model,
+                fell=r.fell_at_demand,
+                curves=r.curves,
+                least_g=r.least_pga_g,
+            )
             for r in dynamic.itertuples()
-        )
-        return (
-            f"Shaken by the motions of {stations} station{'s' if stations > 1 else ''} at the "
-            f"demand's PGA, {said}; so few give no probability and no interval ({FEWEST} stations "
-            "are the least)."
-        )
-    said = ", ".join(
-        f"{share} with {r.model}{interval}"
-        for r in dynamic.itertuples()
-        for share, interval in [collapses(r, " %")]
-    )
-    return (
-        f"Shaken by {stations} stations' motions, each scaled to the demand's PGA, "
-        f"{'a part of it or the whole' if several else 'the whole façade'} falls with a "
-        f"probability of {said}; in brackets 95 % intervals."
-    )
+        ]
+        return say.count("verdict.suite.few", stations, each="; ".join(each), fewest=FEWEST)
+    each = []
+    for r in dynamic.itertuples():
+        share, interval = collapses(r, say)
+        each.append(say("verdict.suite.of_model", share=share, model=r.model, interval=interval))
+    key = "verdict.suite.several" if several else "verdict.suite.whole"
+    return say(key, stations=stations, each=", ".join(each))

@@ -2,33 +2,39 @@
 
 from rocking.mechanics.beta import EQ5_MODULUS_MPA, EQ5_THICKNESS_M
 
-BLOCK_WALL, COURSES_WALL = "one rigid block on E/h", "four elastic courses"
+from studies.assess.catalogue import SAY
+from yade_scripts.model.facades import STUDY
+
+BLOCK_WALL, COURSES_WALL = "one rigid block on E/h", "four elastic courses"  # in tables
 WALL = {True: BLOCK_WALL, False: COURSES_WALL}  # the other wall, by whether it has courses
+WALL_KEYS = {BLOCK_WALL: "block", COURSES_WALL: "courses"}
 BETA = "beta_s"  # key of the sensitivity to contact damping
 
 
-def named(facade):
-    """The wall in words, to end a sentence that begins with the façade."""
-    if facade["courses"]:
-        return f"an elastic wall in {facade['courses']} courses"
-    if facade["base_stiffness_pa_m"] is not None:
-        return "one rigid block on springs of the stated stiffness"
-    if facade["base"] == "study":
-        return "one rigid block on even springs of E/h"
-    return f"one rigid block on springs stiffer at the edges (facade.base: {facade['base']})"
+def named(facade, say=SAY):
+    """The wall of a `Facade` in words, to end a sentence that begins with the façade."""
+    if facade.courses:
+        return say("verdict.wall.courses", courses=facade.courses)
+    if facade.base_stiffness_pa_m is not None:
+        return say("verdict.wall.stated")
+    if facade.base == STUDY:
+        return say("verdict.wall.even")
+    return say("verdict.wall.edges", base=facade.base)
 
 
-def beyond_law(config):
-    """What of a façade lies outside of what eq. 5 was fitted to, in words; empty where nothing."""
-    if config["damping"]["law"] != "eq5":
-        return ""
-    facade, found = config["facade"], []
-    (low, high), (soft, stiff) = EQ5_THICKNESS_M, EQ5_MODULUS_MPA
-    if not low <= facade["thickness_m"] <= high:
-        found.append(f"{facade['thickness_m']:g} m thick ({low:g} to {high:g} m)")
-    if not soft <= facade["e_mpa"] <= stiff:
-        found.append(f"of {facade['e_mpa']:,.0f} MPa ({soft:,.0f} to {stiff:,.0f} MPa)")
-    return " and ".join(found)
+def beyond_law(facade, law):
+    """What of a `Facade` lies outside of what eq. 5 was fitted to: keys of the page, and values."""
+    if law != "eq5":
+        return []
+    every = (
+        ("beyond_thick", "thickness_m", EQ5_THICKNESS_M),
+        ("beyond_stiff", "e_mpa", EQ5_MODULUS_MPA),
+    )
+    return [
+        (key, {name: value, "low": low, "high": high})
+        for key, name, (low, high) in every
+        if not low <= (value := getattr(facade, name)) <= high
+    ]
 
 
 def ranges_of(sensitivity, key):

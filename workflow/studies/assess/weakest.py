@@ -12,6 +12,7 @@ import math
 import numpy as np
 from scipy.optimize import minimize_scalar
 
+from studies.assess.names import BETWEEN
 from studies.assess.sites import CORNERS, LEAST_PART_M, WHOLE_PART, Site
 
 BESIDE_M = 0.02  # of a change: what lies just above it or below
@@ -75,8 +76,7 @@ def parts(family):
     listed = {site.foot_m: family.measure(site) for site in found}
     ends = [*listed_m, top - LEAST_PART_M]
     for low, high in itertools.pairwise(ends):
-        part = f"between_{low}_and_{float(round(high, 6))}"
-        words = f"between {low:.2f} and {high:.2f} m"
+        part = f"{BETWEEN}_{low}_and_{float(round(high, 6))}"
 
         def measure(z, part=part):
             return family.measure(Site(part, float(z)))
@@ -92,14 +92,14 @@ def parts(family):
             for below, (value, z), above in _dips(samples, low, high)
         )
         if best < WORTH * min(listed[low], listed.get(high, math.inf)):
-            found.append(Site(part, at, words=words))
+            found.append(Site(part, at, at_foot=BETWEEN))
     return sorted(found, key=lambda site: site.foot_m)
 
 
 def feet(family):
     """Parts above every foot."""
-    names = {z: f"above_{z}" if z else WHOLE_PART for z in family.feet()}
-    return [Site(names[z], z, words=words) for z, words in family.feet().items()]
+    parts = {z: f"above_{z}" if z else WHOLE_PART for z in family.feet()}
+    return [Site(parts[z], z, at_foot=keys) for z, keys in family.feet().items()]
 
 
 def spans(family):

@@ -25,6 +25,15 @@ SPREAD = {"curves": "n_known", "low": 10, "median": 50, "high": 90}
 SPREAD |= {"share_unsafe": lambda found: found.share(low=1.0)}
 
 
+OF_BRICKS = (
+    ("headers", "sliding", {"w3.header_joint": "sliding"}),
+    ("headers", "bonded", {"w3.header_joint": "bonded"}),
+    ("headers", "bonded, cut bricks", {"w3.header_joint": "study"}),
+    ("inclined courses", "none", {"w3.lower_courses": 0}),
+    ("inclined courses", "lowest 9", {"w3.lower_courses": 9}),
+)
+
+
 def variants(case, stage, surrogate=None):
     """Every assumption of a driven case, W2 or W3, at another level; β is to be chosen anew.
 
@@ -60,14 +69,7 @@ def variants(case, stage, surrogate=None):
         (walls, "storey's middle", {"return_wall.motion": "middle"}),
         (walls, "by height", {"return_wall.motion": "interpolated"}),
     ]
-    if bricks:
-        rows += [
-            ("headers", "sliding", {"w3.header_joint": "sliding"}),
-            ("headers", "bonded", {"w3.header_joint": "bonded"}),
-            ("headers", "bonded, cut bricks", {"w3.header_joint": "study"}),
-            ("inclined courses", "none", {"w3.lower_courses": 0}),
-            ("inclined courses", "lowest 9", {"w3.lower_courses": 9}),
-        ]
+    rows += OF_BRICKS if bricks else ()
     rows += [
         ("friction", "20°", friction(20.0)),
         ("friction", "40°", friction(40.0)),

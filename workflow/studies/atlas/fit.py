@@ -194,7 +194,8 @@ def law(table, design, factors, stations_of, made_of, own="own"):
     }
     models = [name for name in TERMS if name in set(table["model"])]
     here = design.loc[sorted(table.loc[table["base"] == own, "facade"].unique())]
-    # the ends that were drawn from; of what follows from several, the ends that came out
+    # a drawn dimension has the ends of its range; one that follows from several has the least and
+    # the largest value that came out
     came = {name: [float(here[name].min()), float(here[name].max())] for name in here}
     limits = {name: made_of["ranges"].get(name, came[name]) for name in groups.DIMENSIONS}
     return {

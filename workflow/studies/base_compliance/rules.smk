@@ -41,7 +41,7 @@ figure_of(
     "base_compliance",
     "Records",
     "what the base of a rigid façade is worth",
-    caption="Above left: static curves of the study's façade. The elastic wall carries half as much"
+    caption="Above left: static curves of the 3DEC study's façade. The elastic wall carries half as much"
     " again as the rigid block on E/h and less than the rigid one. Above right: PGA of half collapse"
     " of blocks and of the chosen stack against the stack that stands for the wall, one point a"
     " curve; on the line both are alike. Below: error of half collapse against processor time.",

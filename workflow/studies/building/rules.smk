@@ -171,7 +171,7 @@ rule table_claims_building:
             record=RUNS.named("building.explicit_records"),
         ),
     output:
-        shown_table("claims_building", "Building", "claims of the study's section 2"),
+        shown_table("claims_building", "Building", "claims of the 3DEC study's section 2"),
     script:
         "scripts/table_claims_building.py"
 
@@ -207,7 +207,7 @@ rule building:
 
 rule building_t1:
     """
-    Periods and chain of a plan of your own, without the study's comparisons.
+    Periods and chain of a plan of your own, without the 3DEC study's comparisons.
     Costs: minutes; by bricks.
     Page: docs/building.md
     """
@@ -242,7 +242,7 @@ rule table_wme_readings:
 
 rule wme_readings:
     """
-    Table 2 of the study under every reading of its text.
+    Table 2 of the 3DEC study under every reading of its text.
     Costs: a minute.
     """
     input:

@@ -94,7 +94,7 @@ rule table_claims_calibration:
         shown_table(
             "claims_calibration",
             "Calibration of the damping",
-            "claims of the study's section 3",
+            "claims of the 3DEC study's section 3",
         ),
     params:
         settings=RUNS.params_of("calibration"),

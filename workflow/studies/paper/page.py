@@ -6,7 +6,7 @@ import pandas as pd
 from rocking.collapse.probability import half_collapse, one_number
 
 MET = ("yes", "no", "partly", "given", "open")
-COUNTED = ("are met here", "not", "partly", "are inputs", "open")  # in the page's first sentence
+COUNTED = ("met here", "not met", "met in part", "inputs, taken over", "open")
 HEAD = "| | in the study | its value | here | met | why they differ |\n|---|---|---|---|---|---|"
 NOT_RUN = "not part of this run"
 SOURCES = {"file": "recorded", "surrogate": "surrogates"}
@@ -73,7 +73,7 @@ def _claim(start, tables):
     for line in found.fillna("").itertuples():
         source = line.records.split(":")[0] if ":" in line.records else ""
         source = f"{SOURCES.get(source, source)}: " if source else ""
-        whose = "" if line.threshold == "the study's" else " (our threshold)"
+        whose = "" if line.threshold == "the study's" else "†"
         texts.append(f"{source}{line.measured}{whose}")
     return found["holds"].tolist(), "; ".join(texts)
 
@@ -164,11 +164,11 @@ def page(data, tables, about):
     """The page as Markdown; `about` says which run, and how to make the page again."""
     rows = [entry for section in data["sections"] for entry in section["rows"]]
     verdicts = [row(entry, tables).split(" | ")[-2] for entry in rows]
-    count = ", ".join(
-        f"{verdicts.count(word)} {said}" for word, said in zip(MET, COUNTED, strict=True)
-    )
-    answer = f"Of the study's {len(rows)} figures, tables, equations and results {count}."
-    lines = ["# The study, row by row", "", answer, about, ""]
+    count = [f"{verdicts.count(word)}" for word in MET]
+    lines = ["# The 3DEC study, row by row", "", data["study"]]
+    lines += [f"Of its {len(rows)} figures, tables, equations and results there are", ""]
+    lines += [*markdown(COUNTED, [count]), "", about, ""]
+    lines += [data["suite"]] if "suite" in data else []
     for section in data["sections"]:
         lines += [f"## {section['title']}", "", HEAD]
         lines += [row(entry, tables) for entry in section["rows"]]
@@ -180,6 +180,5 @@ def page(data, tables, about):
             if "figure" in entry:
                 title = entry["id"].rstrip("abcdef").capitalize()
                 lines += ["", f"![{title}, as made here](figures/{entry['figure']}.png)"]
-                lines += ["", f"{title}, as made here."]
         lines.append("")
     return "\n".join(lines).rstrip() + "\n"

@@ -39,7 +39,7 @@ rule study_page:
 
 rule study:
     """
-    With `--configfile config/scenarios/study.yaml`: every figure, table and result of the study
+    With `--configfile config/scenarios/study.yaml`: every figure, table and result of the 3DEC study
     compared with this run.
     Costs: 30 min; 11 more where the shake table has its recorded motions.
     Page: docs/study.md

@@ -65,7 +65,9 @@ def building_shares(curves, dense, per_pga):
 
     By key; without curves whose building stays elastic or was not followed.
     """
-    found = {}
+    found: dict[tuple, tuple] = {}
+    if "probability_building" not in dense:  # tables of other programs
+        return found
     for key, table, row in by_curve(curves, dense):
         known = table[table["probability_building"].notna()]
         if len(known):

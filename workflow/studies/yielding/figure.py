@@ -31,9 +31,8 @@ def draw(summary):
 
 
 def _own_period(summary):
-    """Rows at the period of the run: the one with the most loops."""
-    count = summary.groupby("period_s")["loops"].nunique()
-    return summary[summary["period_s"] == count.idxmax()]
+    """Rows at the period of the run, which W1 was run at too."""
+    return summary[summary["own_period"] == 1]
 
 
 def _loss(axis, part, kind):
@@ -83,7 +82,10 @@ def _first(axis, own, models):
 
 
 def _map(figure, axis, part):
-    """Draw the share of curves in which the building falls first, over V/W and T1."""
+    """Draw the share of curves in which the building falls first, over V/W and T1.
+
+    A line parts where that is more than half of them from where the façade is mostly first.
+    """
     part = part[part["loops"] == part.loc[part["loops"] != ELASTIC, "loops"].iloc[0]]
     table = part.pivot_table(index="period_s", columns="base_shear_ratio", values="building_first")
     shown = axis.imshow(
@@ -92,7 +94,12 @@ def _map(figure, axis, part):
     axis.set_xticks(range(table.shape[1]), [f"{x:g}" for x in table.columns])
     axis.set_yticks(range(table.shape[0]), [f"{y:g}" for y in table.index])
     for (i, j), share in np.ndenumerate(table.to_numpy()):
-        axis.annotate(f"{100.0 * share:.0f}", (j, i), ha="center", va="center", fontsize=7)
+        look = {"color": "w" if abs(share - 0.5) > 0.35 else "k", "fontsize": 7}
+        axis.annotate(f"{100.0 * share:.0f}", (j, i), ha="center", va="center", **look)
+    share = table.to_numpy()
+    if share.min() < 0.5 < share.max():
+        axis.contour(share, levels=[0.5], colors="k", linewidths=1.2)
+    axis.grid(visible=False)
     axis.set(xlabel="strength of the building V/W [-]", ylabel="first period T1 [s]")
     axis.set_title(f"building first [% of curves], {part['model'].iloc[0]}", loc="left", fontsize=8)
     figure.colorbar(shown, ax=axis, shrink=0.8)

@@ -76,12 +76,13 @@ def against(table):
 def summary(table):
     """Loss from W1 and change from the elastic building by model, V/W and loops.
 
-    Columns: BY, curves; loss, loss_low, loss_high (one less the geometric mean over W1);
-    over_elastic, …_low, …_high; pga_median_g, the median over curves; building_first, the share of
-    curves in which the building falls before the façade. Curves that never fall, or of which W1
-    never does, are left out of the ratios and counted in censored.
+    Columns: BY; own_period, 1 at the period of the run, which W1 has; curves; loss, loss_low,
+    loss_high (one less the geometric mean over W1); over_elastic, …_low, …_high; pga_equivalent_g,
+    the median over curves; building_first, the share of curves in which the building falls before
+    the façade. Curves that never fall, or of which W1 never does, are left out of the ratios and
+    counted in censored.
     """
-    rows = []
+    rows, own = [], table.loc[table["model"] == GROUND, "period_s"].unique()
     for key, part in against(table).groupby(BY, sort=False, dropna=False):
         if key[0] == GROUND:
             continue
@@ -89,6 +90,7 @@ def summary(table):
         rows.append(
             dict(zip(BY, key, strict=True))
             | {
+                "own_period": int(key[1] in own),
                 "curves": len(part),
                 "censored": int(part["over_w1"].isna().sum()),
                 "loss": 1.0 - loss[0],

@@ -43,6 +43,7 @@ def test_losses_are_geometric_means_over_the_same_curve():
     assert found.loc["bilinear", "loss"] == pytest.approx(1.0 - np.sqrt(0.5))
     assert found.loc["bilinear", "over_elastic"] == pytest.approx(2.0 ** (1.0 / 3.0))
     assert found["censored"].tolist() == [1, 1]
+    assert found["own_period"].tolist() == [1, 1]
     assert found["loss_low"].isna().all()  # of three stations there is no interval
 
 
@@ -56,6 +57,14 @@ def test_intervals_draw_stations():
     assert found["loss"] == pytest.approx(mean)
     assert 0.3 < found["loss_low"] < mean < found["loss_high"] < 0.6
     assert found["building_first"] == 0.5
+
+
+def test_other_periods_than_w1s_are_of_the_map():
+    table = table_of({("W1", np.nan, "elastic"): [0.4], ("W2", 0.2, "bilinear"): [0.2]})
+    slow = table[table["model"] == "W2"].assign(period_s=0.6)
+    found = study.summary(pd.concat([table, slow])).set_index("period_s")
+    assert found["own_period"].to_dict() == {0.27: 1, 0.6: 0}
+    assert found.loc[0.6, "loss"] == found.loc[0.27, "loss"]
 
 
 def test_other_periods_take_the_first_loops():

@@ -10,6 +10,7 @@ from rocking.tables import read_frame, read_tables, write_table
 from rocking.version import code
 from studies.assess import evidence, paper
 from studies.assess.appendix import Data
+from studies.assess.catalogue import catalogue
 from studies.assess.report import context
 from studies.assess.site import demand_said
 from studies.assess.values import values
@@ -19,6 +20,7 @@ def main(job):
     p, config = job.params, json.loads(json.dumps(dict(job.params.config)))
     tables = {Path(str(path)).stem: read_frame(path) for path in job.input.tables}
     tables |= {"verdicts": read_tables(job.input.verdicts), "yade": read_tables(job.input.yade)}
+    own = config["assessment"]
     write_table(values(config, list(p.given)), job.output.values, ["key", "value", "standing"])
     program = f"rocking-facades {version('rocking-facades')}"
     data = Data(
@@ -26,7 +28,7 @@ def main(job):
         list(p.given),
         tables,
         p.run,
-        demand_said(config["assessment"], job.input.site),
+        demand_said(own, job.input.site, catalogue(own["language"])),
         program,
         p.commit[:12] + "+" * p.commit.endswith("+"),
         f"results/{p.run}/assessment",

@@ -7,6 +7,7 @@ from rocking.figures import style
 from rocking.figures.panels import intervals, panels, ticks
 from rocking.runtime.script import run
 from rocking.tables import write_table
+from studies.assess.catalogue import SAY
 from studies.assess.code_checks import CHECKS
 from studies.assess.comparison import compare, gather
 
@@ -42,7 +43,7 @@ def draw(table, output, facts):
         ticks(axis.xaxis, (0.1, 0.3, 1.0, 3.0, 10.0))
         axis.set_title(f"{model}; right: share unsafe", size=8)
         axis.set_xlabel("PGA check / PGA collapse [-]")
-        axis.set_yticks(y, [CHECKS[k] for k in keys])
+        axis.set_yticks(y, [SAY(f"table.check.{k}") for k in keys])
     style.save(figure, output, facts)
 
 

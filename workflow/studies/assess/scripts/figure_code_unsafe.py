@@ -5,7 +5,7 @@ from rocking.figures import style
 from rocking.figures.panels import common_legend, intervals, panels
 from rocking.runtime.script import run
 from rocking.tables import read_frame
-from studies.assess.code_checks import CHECKS
+from studies.assess.catalogue import SAY
 
 GROUPS = {"height": "height [m]", "slenderness": "h/b [-]", "T1": "T1 [s]"}
 GROUPS |= {"pulse share": "pulse share [-]", "PGV/PGA": "PGV/PGA [s]"}
@@ -32,7 +32,7 @@ def main(job):
                 x, grey = np.arange(len(values)) + 0.16 * (i - 1.5), str(0.18 * i)
                 share = (100 * part[name] for name in ("unsafe_share", "ci_low", "ci_high"))
                 look = {"color": grey, "mfc": "none" if i % 2 else grey, "ms": 4, "lw": 0.8}
-                look |= {"marker": mark, "capsize": 0, "label": CHECKS[check]}
+                look |= {"marker": mark, "capsize": 0, "label": SAY(f"table.check.{check}")}
                 intervals(axis, x, *share, **look)
             axis.set_xticks(range(len(values)), [v.replace(" ", "\n") for v in values])
             axis.set(ylim=(-3, 103), xlim=(-0.5, len(values) - 0.5))

@@ -8,6 +8,7 @@ import pytest
 from rocking import Case, Motion
 from rocking.collapse.building import falls_at
 from studies.assess import building_first
+from studies.assess.catalogue import SAY
 
 BUILDING = 0.2 * np.exp(np.linspace(-0.5, 0.5, 9))
 
@@ -33,6 +34,7 @@ def data_of(table, drift=0.005):
         tables={"building_first": table},
         relied="W2m",
         config={"smdof": {"fallen_drift_ratio": drift}},
+        say=SAY,
     )
 
 

@@ -6,6 +6,7 @@ import math
 import pandas as pd
 import pytest
 from studies.assess import appendix, byhand
+from studies.assess.catalogue import SAY
 from studies.assess.family import Family
 from study_cases import study_settings
 
@@ -35,12 +36,12 @@ def test_sums_of_the_printed_parts_give_the_printed_results(name):
     one = PLANE[name]
     rows, holds = byhand.parts(FAMILY, one), byhand.pulled(one)
     total = byhand.sums(rows, holds)
-    table = appendix._parts(rows, total, True)
+    table = appendix._parts(rows, total, True, SAY)
     p, out, up, square = (cells(table, k) for k in (1, 4, 5, 6))
     done = [sum(w * v for w, v in zip(p, column, strict=True)) for column in (out, up, square)]
     pulled = 0.0
     if holds:
-        held = appendix._holds(holds)
+        held = appendix._holds(holds, SAY)
         pulled = sum(float(row[1]) * float(row[4]) for row in held.rows)
     alpha = (done[1] + pulled) / done[0]
     mass = 1e3 * done[0] ** 2 / (9.81 * done[2])
@@ -60,12 +61,12 @@ def test_sums_of_the_printed_parts_give_the_printed_results(name):
 def test_a_bands_weight_and_lever_arms_are_those_of_a_drawing():
     """Whole façade: the band from sill to head is 7 − 1.2 m wide and 0.4 m thick, 1.5 m high."""
     one = PLANE["whole façade about its base"]
-    (band,) = (p for p in byhand.parts(FAMILY, one) if p.name.startswith("4.00–5.50"))
+    (band,) = (p for p in byhand.parts(FAMILY, one) if p.about.get("low_m") == 4.0)
     assert band.weight_n == pytest.approx(1900 * 9.81 * 5.8 * 0.4 * 1.5)
     assert (band.y_m, band.z_m) == pytest.approx((0.3, 4.75))  # flush outside
     assert (band.out, band.up) == pytest.approx((4.75, 0.2))  # about the toe at y = 0.5
     assert band.square == pytest.approx(4.75**2 + 1.5**2 / 12.0)
-    assert band.name == "4.00–5.50 m, 5.8 × 0.4 m"
+    assert SAY(f"hand.part.{band.key}", **band.about) == "4.00–5.50 m, 5.8 × 0.4 m"
 
 
 def test_one_block_turns_about_its_toe_as_its_sums_say():
@@ -93,8 +94,8 @@ def test_holds_are_printed_with_their_way():
 
 def test_rows_of_a_list_are_stated_in_one_line():
     given = [f"facade.floors.{k}.{key}" for k in (1, 2) for key in ("height_m", "load_kn")]
-    data = type("Data", (), {"config": CONFIG, "given": given, "folder": "f"})
+    data = type("Data", (), {"config": CONFIG, "given": given, "folder": "f", "say": SAY})
     found = {(row[0], row[2]): row[1] for row in appendix.stated(data).rows}
-    assert found["facade.floors.1", "stated"] == "height_m 3, load_kn 20"
+    assert found["facade.floors.1", "stated"] == "height_m 3; load_kn 20"
     assert not any(key.startswith("facade.density") for key, _ in found)  # a default here
     assert isinstance(pd.DataFrame(appendix.stated(data).rows), pd.DataFrame)

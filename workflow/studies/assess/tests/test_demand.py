@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 import pytest
+from rocking.configuration import config
 from rocking.records import Record, measures
-from studies.assess.code_spectrum import CodeDemand, soil_factors
+from studies.assess.code_spectrum import CodeDemand, EurocodeDemand, soil_factors
 from studies.assess.demand import (
     FloorDemand,
     RecordDemand,
@@ -15,6 +16,7 @@ from studies.assess.demand import (
     floor_demand,
     largest_displacement,
 )
+from studies.assess.inputs import check_demand
 
 from smdof.spectra import response_spectrum
 
@@ -151,3 +153,25 @@ def test_table_demand_follows_eta_and_a_constant_displacement():
     assert eta(0.60) == 0.55
     long, longer = SPECTRUM.acceleration(4.0), SPECTRUM.acceleration(8.0)
     assert long == pytest.approx(4.0 * longer)
+
+
+def test_the_spectrum_of_en_1998_by_its_parameters():
+    """Ground C of type 1, S = 1.15, 0.2, 0.6 and 2 s: a_g S = 0.184 g, plateau 0.46 g at 5 %.
+
+    At 0.1 s 0.184 (1 + 0.5·1.5), at 1.2 s 0.46/2, at 3 s 0.46·0.6·2/9; η(8 %) = √(10/13).
+    """
+    demand = EurocodeDemand(0.16, 1.15, 0.2, 0.6, 2.0)
+    assert demand.pga_g == pytest.approx(0.184)
+    found = [demand.acceleration(t) for t in (0.1, 0.3, 1.2, 3.0)]
+    assert found == pytest.approx([0.322, 0.46, 0.23, 0.46 * 1.2 / 9.0])
+    assert demand.acceleration(0.3, 0.08) == pytest.approx(0.46 * math.sqrt(10.0 / 13.0))
+    assert demand.flat_from_s == 2.0
+
+
+@pytest.mark.parametrize(
+    "own",
+    [{"en_spectrum": [1.15, 0.6, 0.2, 2.0], "ag_g": 0.16}, {"en_spectrum": [1.15, 0.2, 0.6, 2.0]}],
+)
+def test_parameters_that_are_no_spectrum_are_refused(own):
+    with pytest.raises(ValueError, match=r"assessment\.en_spectrum.*expected S, T_B < T_C"):
+        check_demand(config.resolve({"assessment": own}))

@@ -67,7 +67,7 @@ def test_a_gable_by_hand():
     Of a triangle Σ P z = P h/3, Σ P z² = P h²/6: e* = (1/9)/(1/6). Its T0 is that of a cantilever
     of half the modulus, and nothing holds it: it is felt at the top of the walls.
     """
-    one = next(c for c in family(GABLE).all() if "foot of the gable" in c.name)
+    one = next(c for c in family(GABLE).all() if c.at_foot == "gable")
     assert one.mechanism.multiplier() == pytest.approx(0.1875, rel=1e-9)
     assert one.mechanism.participation()[1] == pytest.approx(2.0 / 3.0, rel=1e-9)
     assert one.place == 1.0

@@ -200,7 +200,7 @@ def test_a_facade_of_courses_is_one_body_by_hand_and_stacks_of_its_own_when_shak
     case = study_case("W2m", settings(stack))
     seen = set()
     for one in of_stack:
-        if not one.plane or one.name.endswith("(sill of an opening)"):
+        if not one.plane or one.at_foot == "sill":
             continue
         section = case.part(one.foot_m, one.held_m, one.hinge_m)["facade"]
         kind = "bends" if one.held_m else "gable" if one.foot_m == 8.0 else "stack"

@@ -11,6 +11,7 @@ import zlib
 import numpy as np
 import pytest
 from studies.assess import paper
+from studies.assess.catalogue import SAY
 from studies.assess.drawings import spread
 from studies.assess.paper import Picture, Table
 from webdriver import AVAILABLE, Browser
@@ -33,6 +34,7 @@ TABLE = Table(
 PICTURE = Picture(draw, 60.0, "A curve.", "It rises from 0 to 16.", "results/run/curve.csv")
 NOTHING = {"lines": [], "tables": [], "picture": None, "pictures": []}
 CONTEXT = {
+    "say": SAY,
     **{"title": "A <façade>", "engineer": "An Engineer", "registration": "", "date": ""},
     **{"program": "program 1", "who": "Client: & sons", "verdict": ["First & only.", "α0 = 0.1"]},
     **{"drawing": PICTURE, "answers": [("Which ties?", "None.")], "rests_on": ["x"]},

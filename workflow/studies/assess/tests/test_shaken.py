@@ -173,9 +173,11 @@ def test_the_return_period_of_a_capacity_is_read_off_the_rows():
         for t, a in ((30, 0.05), (475, 0.16), (2475, 0.3))
     ]
     own = {"hazard": rows, "soil": "A", "topography": "T1"}
-    assert return_period_of(own, 0.16) == "475"
+    assert return_period_of(own, 0.16) == ("at", pytest.approx(475.0))
     share = np.log(0.2 / 0.16) / np.log(0.3 / 0.16)
-    assert int(return_period_of(own, 0.2)) == pytest.approx(475 * (2475 / 475) ** share, abs=0.6)
-    assert return_period_of(own, 0.04) == "less than 30"
-    assert return_period_of(own, 0.5) == "more than 2475"
+    key, years = return_period_of(own, 0.2)
+    assert key == "at"
+    assert years == pytest.approx(475 * (2475 / 475) ** share, abs=0.6)
+    assert return_period_of(own, 0.04) == ("below", 30.0)
+    assert return_period_of(own, 0.5) == ("above", 2475.0)
     assert return_period_of({**own, "hazard": []}, 0.1) is None

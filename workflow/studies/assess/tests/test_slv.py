@@ -110,7 +110,7 @@ def test_a_mechanism_is_found_again_where_its_site_says():
     settings = study_settings(several(1, 5)[0])
     slv, family = Slv(settings, DEMAND), Family(settings)
     for one in family_of(settings, DEMAND).all():
-        again = family.at(site_of(one)._replace(words=one.name.partition("(")[2].rstrip(")")))
+        again = family.at(site_of(one))
         assert (again.part, again.foot_m, again.held_m) == (one.part, one.foot_m, one.held_m)
         assert slv(again) == pytest.approx(slv(one), rel=1e-12)
 

@@ -1,10 +1,14 @@
 """What the report says first, of tables whose verdict is plain to see."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pandas as pd
 import pytest
 from rocking.mechanics.mechanism import WHOLE
 from studies.assess.advice import damage, next_steps, thinner_is_better
+from studies.assess.catalogue import SAY
+from studies.assess.names import PLACES
 from studies.assess.verdict import (
     capacity,
     decided_by,
@@ -12,24 +16,37 @@ from studies.assess.verdict import (
     headline,
     held_or_not,
     kinematic,
+    no_rate,
     passes,
-    powered,
     suite,
 )
+from studies.assess.walls import named
 
 CHECKS = pd.DataFrame({"check": ["linear_ground"], "pga_demand_g": [0.2], "ratio": [1.2]})
 SHAKEN = pd.DataFrame({"part": ["whole"], "mechanism": [WHOLE], "shaken": [1], "why_not": [""]})
-SHAKEN = SHAKEN.assign(held_m=np.nan, pga_fails_g=0.25, why_words="")
-FACADE = {"courses": 4, "base": "study", "base_stiffness_pa_m": None}
+NOWHERE = {key: np.nan for key in (*PLACES, "middle_m")} | {"foot_m": 0.0, "side": 0}
+SHAKEN = SHAKEN.assign(**NOWHERE, at_foot="base", pga_fails_g=0.25)
+FACADE = SimpleNamespace(courses=4, base="study", base_stiffness_pa_m=None)
+ABOUT = {"when": "In 475 years", "factor": 1.35, "wall": named(FACADE)}
+BENT = {"foot_m": 0.0, "held_m": 3.5, "hinge_m": 2.0}
+CORNER = {"foot_m": 0.0, "side": -1}
+
+
+def tables(found, shaken=SHAKEN, checks=CHECKS, **own):
+    """A report's tables whose mechanisms fail by hand at these PGAs."""
+    every = {"code_checks": checks, "mechanisms": mechanisms(**own)}
+    return {**every, "verdicts": found, "shaken": shaken}
 
 
 def mechanisms(**pga_fails_g):
+    """Parts, some of them with where they are: "bent" and "corner"."""
+    places = {"bent": BENT, "corner": CORNER}
     rows = [
-        (name, WHOLE if name == "whole" else name, "as stated", 0.0, pga_g, pga_g)
-        for name, pga_g in pga_fails_g.items()
+        {**NOWHERE, **places.get(part, {}), "part": part, "pga_fails_g": pga_g}
+        for part, pga_g in pga_fails_g.items()
     ]
-    columns = ["part", "mechanism", "kind", "foot_m", "pga_fails_g", "pga_letter_g"]
-    return pd.DataFrame(rows, columns=columns).assign(held_m=np.nan, links_left_out=0)
+    found = pd.DataFrame(rows).assign(kind="as stated", at_foot="base", links_left_out=0)
+    return found.assign(pga_letter_g=found["pga_fails_g"])
 
 
 def verdicts(*slv, agree=1.0):
@@ -75,11 +92,11 @@ def test_a_facade_passes_where_every_model_holds_and_the_worst_of_them_governs()
 def test_a_check_that_holds_in_too_few_draws_counts_as_not_passed_and_says_so():
     doubt = verdicts(True, True, agree=0.94).assign(part="whole")
     assert passes(CHECKS, mechanisms(whole=0.25), doubt) == (True, False)
-    said = headline(CHECKS, mechanisms(whole=0.25), doubt, SHAKEN, "In 475 years", 1.35, FACADE)
+    said = headline(tables(doubt, whole=0.25), ABOUT)
     assert "does not pass: life safety (SLV) is lost under recorded motions" in said[0]
     assert "only in 94 % of draws of perturbed ones" in said[2]
-    assert list(held_or_not(doubt)) == ["in doubt", "in doubt"]
-    assert list(held_or_not(verdicts(True, False))) == ["held", "not held"]
+    assert list(held_or_not(doubt)) == ["doubt", "doubt"]
+    assert list(held_or_not(verdicts(True, False))) == ["held", "lost"]
     assert passes(CHECKS, mechanisms(whole=0.25), doubt.assign(agree=0.95)) == (True, True)
 
 
@@ -98,7 +115,7 @@ def test_a_check_that_holds_in_too_few_draws_counts_as_not_passed_and_says_so():
 )
 def test_the_first_sentence_says_by_which_check_life_safety_is_lost(pga_g, slv, words):
     found = verdicts(slv).assign(part="whole")
-    said = headline(CHECKS, mechanisms(whole=pga_g), found, SHAKEN, "In 475 years", 1.35, FACADE)
+    said = headline(tables(found, whole=pga_g), ABOUT)
     assert words in said[0]
 
 
@@ -113,16 +130,15 @@ def test_a_link_that_sets_d_slv_is_named():
     )
     rounded = lost.assign(d_slv_m=0.149749, d0_m=0.374374)  # six figures of 0.4 d0
     assert "a tie or an anchor" not in dynamic_check(rounded, (0, 0.2, True), SHAKEN)
-    stood = mechanisms(whole=0.25)
-    assert any("let the rods yield" in s for s in next_steps(CHECKS, stood, early, SHAKEN))
-    assert not any("let the rods yield" in s for s in next_steps(CHECKS, stood, lost, SHAKEN))
+    assert any("that the rods yield" in s for s in next_steps(tables(early, whole=0.25)))
+    assert not any("that the rods yield" in s for s in next_steps(tables(lost, whole=0.25)))
 
 
 def test_a_check_that_fails_before_a_damaged_building_is_named():
     rows = [("damaged building, 20 %", 2.0, "slv_height", 0.82), ("smdof.period_s", 1.25, "x", 1)]
     found = pd.DataFrame(rows, columns=["key", "factor", "check", "ratio"])
     said = damage(found, mechanisms(whole=0.25), 0.2)
-    assert "period times 2 (damaged building, 20 % damping), at 82 % of the demand's" in said
+    assert "period times 2 (20 % damping), at 82 % of the demand's" in said
     assert damage(found, mechanisms(whole=0.15), 0.2) == ""  # it fails as stated
     assert damage(found.assign(ratio=1.1), mechanisms(whole=0.25), 0.2) == ""
 
@@ -145,42 +161,53 @@ def test_below_seven_stations_no_share_and_no_interval():
     assert "over 99 % with W2; in" in suite(never.assign(probability_low=1.0, probability_high=1.0))
 
 
+def test_why_there_is_no_rate_asks_for_what_is_missing_alone():
+    """Stations of the model with most count: another may have lost some of its curves."""
+    both = pd.concat([dynamic(3), dynamic(12)], ignore_index=True)
+    config = {"assessment": {"hazard": []}, "risk": {"hazard": None}}
+    assert no_rate(both, config).count("give motions") == 0
+    assert "risk.hazard and give motions of 7" in no_rate(dynamic(6), config)
+    stated = {"assessment": {"hazard": []}, "risk": {"hazard": "a.csv"}}
+    assert no_rate(dynamic(6), stated) == "No rate: give motions of 7 stations or more."
+
+
 def test_what_is_recommended_hangs_on_what_fails():
-    weak = next_steps(CHECKS, mechanisms(whole=0.15, corner=0.3), verdicts(True), SHAKEN)
+    weak = next_steps(tables(verdicts(True), whole=0.15, corner=0.3))
     assert weak[0].startswith(f"Tie or hold the façade against: the {WHOLE} (0.15 g).")
-    for other in ("vertical bending from 0.00 to 3.50 m", "left corner above 0.00 m"):  # feet at 0
-        weak = mechanisms(whole=0.3, **{other: 0.25})
-        said = next_steps(CHECKS, weak, verdicts(True), SHAKEN)
-        assert f"{other}, was not shaken: it is judged by the kinematic checks alone" in said[-1]
+    names = {
+        "bent": "vertical bending from 0.00 to 3.50 m, open at 2.00 m",
+        "corner": "the left corner above 0.00 m",
+    }
+    for part, name in names.items():  # feet at 0
+        said = next_steps(tables(verdicts(True), whole=0.3, **{part: 0.25}))
+        assert f"{name}, was not shaken: it is judged by the kinematic checks alone" in said[-1]
     second = CHECKS.assign(ratio=0.62)
     worse = second.assign(ratio=0.15)
     found = [second.assign(check="en_sd_height"), worse.assign(check="parts_height"), CHECKS]
-    (said,) = next_steps(pd.concat(found), mechanisms(whole=0.25), verdicts(True), SHAKEN)
+    (said,) = next_steps(tables(verdicts(True), checks=pd.concat(found), whole=0.25))
     assert "do not pass: EN 1998-3 at 62 % of the demand's PGA." in said  # forces decide nothing
-    lost = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, False), SHAKEN)
+    lost = next_steps(tables(verdicts(True, False), whole=0.25))
     assert "The kinematic check passes and the dynamic one does not (W2)" in lost[0]
-    unsure = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, agree=0.9), SHAKEN)
+    unsure = next_steps(tables(verdicts(True, agree=0.9), whole=0.25))
     assert "hangs on single histories" in " ".join(unsure)
-    (sound,) = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True), SHAKEN)
+    (sound,) = next_steps(tables(verdicts(True), whole=0.25))
     assert "nothing else is asked for" in sound
 
 
 def test_the_verdict_says_what_moves_and_when_it_rests_on_motions_that_do_not_fit():
-    bent = "vertical bending from 0.00 to 6.00 m, open at 4.50 m"
+    bent = "vertical bending from 0.00 to 3.50 m, open at 2.00 m"
     found = verdicts(True).assign(part="whole", mean_d_m=0.05)
-    given = CHECKS, mechanisms(whole=0.25)
-    said = headline(*given, found, SHAKEN, "In 475 years", 1.35, FACADE, (-0.05, 0.2, True))
+    said = headline(tables(found, whole=0.25), ABOUT, (-0.05, 0.2, True))
     assert f"the weakest of 1 mechanisms, the {WHOLE}, holds" in said[1]
     assert f"the top of the {WHOLE} moves 50 mm in the mean of 11 histories" in said[2]
     assert "bounds" not in said[2]
     assert "draws" not in said[2]
-    bending = SHAKEN.assign(mechanism=bent, held_m=6.0)
     unsure = found.assign(agree=0.8, slv=False)
-    said = headline(*given, unsure, bending, "In 475 years", 1.35, FACADE, (-0.1, 1.0, False))
+    said = headline(tables(unsure, SHAKEN.assign(**BENT), whole=0.25), ABOUT, (-0.1, 1.0, False))
     assert f"the joint of {bent}, moves 50 mm" in said[2]
     assert "; 80 % of draws of single histories say the same." in said[2]
     assert said[2].endswith("does not fit the demand within the code's bounds.")
-    said = headline(*given, pd.DataFrame(), SHAKEN, "In 475 years", 1.35, FACADE)
+    said = headline(tables(pd.DataFrame(), whole=0.25), ABOUT)
     assert "the façade passes by hand: life safety" in said[0]
 
 
@@ -195,26 +222,26 @@ def test_the_verdict_says_what_moves_and_when_it_rests_on_motions_that_do_not_fi
     ],
 )
 def test_small_rates_are_said_in_powers_of_ten(value, words):
-    assert powered(value) == words
+    assert SAY.number(value, "power") == words
 
 
 def test_page_1_names_the_wall_and_what_was_not_shaken_with_the_reason():
-    rows = [("corner", "left corner above 5.00 m", np.nan, "corner", 0.31)]
-    rows += [
-        ("low", "part above 5.70 m (tie)", np.nan, "stocky", 0.5),
-        ("bent", "vertical bending", 3.0, "far", 0.9),
-    ]
-    left = pd.DataFrame(rows, columns=["part", "mechanism", "held_m", "why_not", "pga_fails_g"])
-    shaken = pd.concat([SHAKEN, left.assign(shaken=0, why_words="")], ignore_index=True)
-    given = CHECKS, mechanisms(whole=0.25), verdicts(True), shaken, "In 475 years", 1.35
-    said = headline(*given, FACADE)
+    low = {"part": "low", "foot_m": 5.7, "at_foot": "tie", "why_not": "stocky", "pga_fails_g": 0.5}
+    bent = {"part": "bent", **BENT, "why_not": "far", "pga_fails_g": 0.9}
+    corner = {"part": "corner", **CORNER, "foot_m": 5.0, "why_not": "corner", "pga_fails_g": 0.31}
+    left = pd.DataFrame([{**NOWHERE, "shaken": 0, **one} for one in (corner, low, bent)])
+    given = tables(verdicts(True), pd.concat([SHAKEN, left], ignore_index=True), whole=0.25)
+    said = headline(given, ABOUT)
     assert said[0].endswith("The wall that is shaken is an elastic wall in 4 courses.")
-    block = headline(*given, {**FACADE, "courses": 0})[0]
+    block = headline(
+        given, {**ABOUT, "wall": named(SimpleNamespace(**{**vars(FACADE), "courses": 0}))}
+    )[0]
     assert block.endswith("is one rigid block on even springs of E/h.")
     assert said[2].endswith(
         "Not shaken, judged by hand alone: the left corner above 5.00 m (0.31 g), not over the "
         "whole width; the part above 5.70 m (0.5 g), lower than twice the thickness there, where a "
-        "wall slides before it rocks; vertical bending (0.9 g), by hand far from the demand."
+        "wall slides before it rocks; vertical bending from 0.00 to 3.50 m, open at 2.00 m (0.9 "
+        "g), by hand far from the demand."
     )
     assert "of the 1 mechanism that was shaken is fulfilled" in said[2]
 
@@ -229,7 +256,8 @@ def test_a_brittle_link_is_told_by_both_numbers():
 
 def test_the_capacity_has_a_ratio_and_a_return_period():
     stated = mechanisms(whole=0.1)
-    assert capacity(stated, 0.2, "123").endswith("a return period of 123 years.")
+    assert capacity(stated, 0.2, ("at", 123.0)).endswith("a return period of 123 years.")
+    assert "of less than 30 years." in capacity(stated, 0.2, ("below", 30.0))
     assert "ζE = 0.50" in capacity(stated, 0.2, None)
 
 

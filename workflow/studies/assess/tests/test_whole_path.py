@@ -1,5 +1,6 @@
 """One small tied façade through all of `assess`, its numbers made again by formulas of its own."""
 
+import base64
 import html
 import math
 import re
@@ -17,6 +18,7 @@ from studies.assess.code_spectrum import CodeDemand
 from studies.assess.dynamic_check import checked, limits_of, verdict
 from studies.assess.shaken import cases, chosen, label
 from study_cases import study_case, study_settings
+from test_language import ENGLISH_WORDS, NAMES
 
 pytestmark = [pytest.mark.slow, pytest.mark.yade, pytest.mark.xdist_group("whole path")]
 
@@ -51,6 +53,20 @@ def folder(tmp_path_factory):
     done = snakemake(here, "--configfile", "small.yaml", "--", "assess")
     assert done.returncode == 0, done.stderr
     return here / "results/small/assessment"
+
+
+@pytest.fixture(scope="module")
+def italian(folder):
+    """The same run with the report in Italian: its page, and the rules that ran for it."""
+    here = folder.parents[2]
+    before = (folder / "report.html").read_text("utf-8")
+    words = "assessment={language: it, engineer: Ada}"
+    done = snakemake(here, "--configfile", "small.yaml", "--config", words, "--", "assess")
+    assert done.returncode == 0, done.stderr
+    ran = set(re.findall(r"(?m)^(?:local)?rule (\w+):", done.stderr + done.stdout))
+    other = (folder / "report.html").read_text("utf-8")
+    (folder / "report.html").write_text(before, "utf-8")  # for tests that read the English one
+    return before, other, ran
 
 
 def the_part(model):
@@ -309,3 +325,29 @@ def test_housners_velocity_and_intensity_once(folder):
     row = pd.read_csv(folder / "code_checks.csv").query("check == 'housner'").iloc[0]
     assert (row["capacity"], row["demand"]) == pytest.approx((needed, given), rel=2e-3)
     assert row["pga_fails_g"] == pytest.approx(ground_g(0.0, 0.05) * needed / given, rel=2e-3)
+
+
+def test_an_italian_report_has_the_same_numbers_and_computes_nothing_anew(italian):
+    """Numbers of tables, with the decimal comma set back; the rules that made them did not run."""
+    english, other, ran = italian
+    assert not any(name.startswith("assess_") for name in ran - {"assess_report"})
+    swapped = str.maketrans(",.", ".,")
+    cells = '<td class="number">([^<]*)<'
+    numbers = [re.findall(cells, text) for text in (english, other)]
+    assert len(numbers[0]) > 400
+    assert [text.translate(swapped) for text in numbers[1]] == numbers[0]
+    assert '<html lang="it">' in other
+    assert "Ada" in other
+
+
+def test_an_italian_report_has_no_english_but_names(italian):
+    """Words of the page and its pictures, without keys, files and what the records' files say."""
+    text = html.unescape(re.sub("<wbr>", "", italian[1]))
+    pictures = re.findall("data:image/svg[+]xml;base64,([A-Za-z0-9+/=]+)", text)
+    drawn = " ".join(base64.b64decode(one).decode() for one in pictures)
+    drawn = " ".join(re.findall("<text[^>]*>([^<]*)<", drawn))
+    assert "spostamento" in drawn
+    body = re.sub("<[^>]+>", " ", re.sub("(?s)<style>.*?</style>", "", text))
+    body = re.sub(r"Fonte: .*?Licenza: \S+", " ", body)
+    words = set(re.findall("[a-zà-ù]+", NAMES.sub(" ", f"{body} {drawn}").lower()))
+    assert words & ENGLISH_WORDS == set()

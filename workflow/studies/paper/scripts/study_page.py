@@ -1,4 +1,4 @@
-"""The study row by row beside this run (study.md), from docs/study.yaml and the run's tables."""
+"""The 3DEC study row by row beside this run (study.md), from docs/study.yaml and its tables."""
 
 from pathlib import Path
 
@@ -8,15 +8,13 @@ from rocking.tables import read_frame
 from studies.paper.page import page
 
 ABOUT = """\
-The study is *Using DEM to investigate boundary conditions for rocking URM façades subjected to
-earthquake motion*; the copy that was read names no authors, year or journal. Each row has one of
-its figures, tables, equations or results, its value, ours, and why they differ. Most rows that are
-not met rest on what the study does not state: the building's plan, the widths of tested walls, the
-order of a motion's pulses.
+Every row has one of its figures, tables, equations or results, its value, the value here, and why
+they differ. Most rows that are not met rest on what the 3DEC study does not state: the building's
+plan, the widths of tested walls, the order of a motion's pulses.
 
-`given`: an input that was taken over. `open`: the text holds nothing to compare with. "Our
-threshold" marks a limit that the study does not state. Claims stand in `tables/claims*.csv`, for
-surrogates and recorded motions apart. Made by `make study` out of `docs/study.yaml`."""
+`given` is an input that was taken over. `open` is text that holds nothing to compare with. †
+marks a limit that the 3DEC study does not state. `tables/claims*.csv` hold the claims, for
+surrogates and recorded motions apart. `make study` makes this page out of `docs/study.yaml`."""
 
 
 def main(job):
