@@ -3,7 +3,10 @@
 import numpy as np
 import pandas as pd
 import pytest
+from made_curves import collapse_tables
+from made_curves import curve as made
 from rocking.collapse import answer
+from run_script import script
 
 
 def curve(edge_g, building_g=None, top_g=1.0):
@@ -87,3 +90,29 @@ def test_the_terminal_says_it_in_a_line_a_model():
     assert second.startswith("  W2m  more than was run")
     assert "YADE" not in second
     assert building == "  the building itself is down from 0.25 g in the median"
+
+
+@pytest.mark.parametrize("scanned", [True, False])
+def test_table_and_figure_of_a_run_with_and_without_a_scan(tmp_path, scanned):
+    """YADE's only run that fell stood in the scan; without one YADE's answer is its own."""
+    own = [made(tmp_path / "ida.csv", "W1", "A", "pos", 0.2, 0.21)]
+    where = [(tmp_path / f"scan_{name}.csv", name) for name in "AB"]
+    scans = [made(path, "W1", name, "pos", 0.21, 0.3) for path, name in where if scanned]
+    tables = collapse_tables(tmp_path, own, scans=scans)
+    answers = {name: str(tmp_path / f"{name}.csv") for name in ("answer", "curves", "checked")}
+    script(
+        "table_answer",
+        tmp_path,
+        input={"ida": own, "scans": scans, **tables},
+        output=answers,
+        params={"models": ["W1"], "stations": {"A": "S", "B": "S"}},
+    )
+    (found,) = pd.read_csv(answers["answer"]).to_dict("records")
+    counts = [found[f"yade_{name}"] for name in ("fell", "stood", "otherwise")]
+    assert counts == ([0, 1, 1] if scanned else [0, 0, 0])
+    assert found["pga_half_g"] == pytest.approx(0.255 if scanned else 0.205, abs=0.002)
+    pictures = {kind: str(tmp_path / f"answer.{kind}") for kind in ("png", "pdf")}
+    params = {"about": "a façade", "drift": 0.005}
+    inputs = {**answers, "facts": []}
+    script("answer", tmp_path, input=inputs, output=pictures, params=params)
+    assert (tmp_path / "answer.png").stat().st_size > 10_000

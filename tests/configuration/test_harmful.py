@@ -10,6 +10,7 @@ from forked import snakemake
 from rocking import Case
 from rocking.configuration.files import check_files, check_text, read_yaml, refuse_harmful
 from rocking.configuration.schema import ConfigError
+from rocking.start import guard
 
 ROOT = Path(__file__).resolve().parents[2]
 RUNS = '__use_yte__: true\nrun: ?open("ran", "w").write("x") and "mine"\n'
@@ -89,6 +90,32 @@ def test_the_folder_s_own_file_runs_no_code_under_n_either(tmp_path):
     (line,) = [one for one in done.stderr.splitlines() if one.startswith("error: ")]
     assert "config/config.yaml: __use_yte__ would run code" in line
     assert not (tmp_path / "ran").exists()
+
+
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        (lambda path: None, "theirs.yaml: No such file or directory"),
+        (lambda path: path.mkdir(), "theirs.yaml: Is a directory"),
+        (lambda path: path.symlink_to(path), "theirs.yaml: Too many levels of symbolic links"),
+        (lambda path: path.write_bytes(b"run: \xff\n"), "theirs.yaml: not UTF-8 text at byte 5"),
+        (lambda path: path.write_text(""), "theirs.yaml: expected keys at the top level"),
+        (lambda path: path.write_text("- a\n"), "theirs.yaml: expected keys at the top level"),
+        (lambda path: path.write_text("run: a\n b: [\n"), "theirs.yaml line 2"),
+        (lambda path: path.write_text("run: a\nrun: b\n"), "line 2: key 'run' stands twice"),
+    ],
+)
+def test_what_is_no_configuration_ends_in_one_line(tmp_path, monkeypatch, make, said):
+    from snakemake.common import configfile
+
+    monkeypatch.setattr(configfile, "_load_configfile", configfile._load_configfile)
+    guard()
+    path = tmp_path / "theirs.yaml"
+    make(path)
+    with pytest.raises(SystemExit) as caught:
+        configfile.load_configfile(str(path))
+    assert said in str(caught.value)
+    assert "\n" not in str(caught.value)
 
 
 def test_what_configfile_names_is_looked_at_before_snakemake_reads_it(tmp_path):

@@ -8,10 +8,10 @@ import subprocess
 import numpy as np
 import pandas as pd
 import pytest
-from formula_cases import drawn
-from rocking import estimate
+from formula_cases import ROW, drawn
+from rocking import Case, estimate
 from rocking.configuration import config
-from rocking.formula import law, page, words
+from rocking.formula import groups, law, page, words, yielding
 from scipy.special import ndtr
 from study_cases import study_case, study_settings
 
@@ -35,6 +35,9 @@ def test_page_carries_the_formula_and_loads_nothing(known):
 def test_page_and_python_agree_at_a_thousand_inputs(known, tmp_path):
     """The page's own script, run without a page: median, probability at a PGA, error."""
     rng, rows = np.random.default_rng(11), drawn(1000)
+    lowest = yielding.read()["lowest"]
+    for row in rows[::2]:
+        row["base_shear_ratio"] = float(rng.uniform(lowest, 0.6))
     models, measures = list(known["models"]), list(law.MEASURES)
     bases = [known["made_of"]["base"], *known["bases"]]
     asked = [
@@ -113,3 +116,44 @@ def test_an_assessment_says_where_its_median_is_far_from_the_formula():
     assert found.computed_g > found.high_g
     own["facade"]["ties"] = [{"height_m": 3.0}]
     assert words.outliers(own, pd.DataFrame(rows)) == []  # no formula, nothing to say
+
+
+def test_a_building_that_yields_late_is_the_elastic_one_and_a_weak_one_spares_the_facade():
+    """ln r = s L x where L and x exceed 0: of a strong building nothing."""
+    ground = law.said(ROW, "W1")[0]
+    for model in ("W2", "W2m"):
+        part = yielding.read()["models"][model]
+        elastic, spread, error = law.said(ROW, model)
+        strong = law.said({**ROW, "base_shear_ratio": 20.0}, model)
+        assert strong == (elastic, spread, error)
+        weak, weaker = (law.said({**ROW, "base_shear_ratio": v}, model)[0] for v in (0.12, 0.10))
+        assert elastic < weak < weaker
+        share = part["s"] * math.log(ground / elastic)
+        assert math.log(weaker / weak) == pytest.approx(share * math.log(0.12 / 0.10))
+        x = yielding.excess(elastic, 0.12, ROW["period_s"], part)
+        assert math.log(weak / elastic) == pytest.approx(share * x)
+        in_pgv = [
+            law.said({**ROW, **more}, model, "pgv_cm_s")[0]
+            for more in ({}, {"base_shear_ratio": 0.12})
+        ]
+        assert in_pgv[1] / in_pgv[0] == pytest.approx(weak / elastic)
+        assert law.said({**ROW, "base_shear_ratio": 0.12}, model)[2] > error
+    assert law.said({**ROW, "base_shear_ratio": 0.1}, "W1") == law.said(ROW, "W1")
+
+
+def test_a_strength_that_was_not_tried_is_outside():
+    with pytest.raises(groups.OutsideError, match="base_shear_ratio = 0.02: the formula has 0.1"):
+        law.said({**ROW, "base_shear_ratio": 0.02}, "W2m")
+
+
+def test_a_case_is_estimated_with_its_strength():
+    keys = {"facade.base": "column", "facade.courses": 0, "return_wall.building_mass_kg": 6.4e4}
+    medians = [
+        estimate(Case.configured("W2m", {**keys, "smdof.base_shear_ratio": ratio})).median
+        for ratio in (None, 0.10)
+    ]
+    assert medians[1] > 1.02 * medians[0]
+    other = {"smdof.base_shear_ratio": 0.1, "smdof.loops": "peak_oriented"}
+    looped = Case.configured("W2m", {**keys, **other})
+    with pytest.raises(groups.OutsideError, match="smdof.loops = 'peak_oriented'"):
+        estimate(looped)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from rocking.mechanics import closed_forms
+from rocking.mechanics import closed_forms, restitution
 from rocking.mechanics.restitution import e_exp, e_one_sided, misfit, rebounds
 
 P = 4.27  # 1/s, of a wall 0.8 m high
@@ -40,6 +40,15 @@ def rocking(theta0, e, bounces, dt=5e-4, *, contact_s=0.004, dip=0.01, two_sided
     time, value = np.concatenate(times), np.concatenate(values)
     keep = np.concatenate(([True], np.diff(time) > 1e-9))
     return time[keep], value[keep], np.array(impacts)
+
+
+@pytest.mark.parametrize("peak_s", [0.03, 0.11, 0.2])
+def test_a_maximum_between_uneven_samples_is_that_of_their_parabola(peak_s):
+    """Three samples of θ = 2 − 5 (t − t_p)² at uneven times give its vertex to the last digits."""
+    time = np.array([-0.4, 0.0, 0.1, 0.35, 0.9])
+    values = 2.0 - 5.0 * (time - peak_s) ** 2
+    found = restitution._vertex(time, values, 2)
+    assert found == pytest.approx((peak_s, 2.0), rel=1e-12)
 
 
 @pytest.mark.parametrize("e", [0.3, 0.446, 0.7])

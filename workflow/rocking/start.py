@@ -10,13 +10,17 @@ import sys
 import tempfile
 from pathlib import Path
 
-from rocking.configuration.files import refuse_harmful
+from rocking.configuration.files import check_files, refuse_harmful
 from rocking.configuration.schema import ConfigError
 from rocking.runtime import results_folder
 
 
 def guard():
-    """Let Snakemake look at every configuration file before it reads it."""
+    """Let Snakemake look at every configuration file before it reads it.
+
+    A configuration is read as strictly as the workflow reads it, so that what is no configuration
+    ends in one line; of a profile only what would run code or stall is refused.
+    """
     from snakemake.common import configfile
 
     read = configfile._load_configfile
@@ -25,6 +29,8 @@ def guard():
         if isinstance(configpath_or_obj, (str, Path)):
             try:
                 refuse_harmful(configpath_or_obj)
+                if filetype == "Config":
+                    check_files([configpath_or_obj], empty=False)
             except ConfigError as error:
                 sys.exit(f"error: {error}")
         return read(configpath_or_obj, filetype)

@@ -105,7 +105,9 @@ def stamped(path):
     try:
         return str(stamps.stamp(path))
     except OSError as error:
-        stop(f"{error.filename}: {error.strerror}: expected a file or none; move away what is there")
+        stop(
+            f"{error.filename}: {error.strerror}: expected a file or none; move away what is there"
+        )
 
 
 def code(script, study=None):

@@ -95,6 +95,7 @@ rule table_answer:
         probability=rules.ida_collapse.output.probability,
     output:
         answer=results("tables/answer.csv"),
+        curves=results("tables/answer_curves.csv"),
         checked=results("tables/answer_yade.csv"),
     params:
         models=value_of("models"),
@@ -109,8 +110,8 @@ figure_by(
     "Answer",
     "at what shaking it falls, with what probability",
     answer=rules.table_answer.output.answer,
+    curves=rules.table_answer.output.curves,
     checked=rules.table_answer.output.checked,
-    probability=rules.ida_collapse.output.probability,
     facts=of_run(rules.record.output.facts),
     params=dict(
         about=lambda w: in_a_line(RUNS.cfg(w)),

@@ -14,13 +14,14 @@ the file is the root of the mean square of the first of them.
 
 import argparse
 import json
+import math
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 from rocking import Case, Motion
 from rocking.collapse.quick import crossings
-from rocking.formula import law
+from rocking.formula import groups, law
 from rocking.formula.groups import PERIOD_S
 from rocking.records import read_table
 from rocking.tables import write_table
@@ -29,6 +30,7 @@ from studies.atlas import study as atlas
 
 SUITE = "config/suites/recorded_suite.tsv"
 RATIOS, MODELS, MOTIONS, MOST_G = (None, 0.10, 0.18, 0.32), ("W2", "W2m"), 6, 4.0
+OWN = {"damping.law": "value", "smdof.base_shear_ratio": None}
 FOUR = {"facade.courses": 4, "facade.courses_growth": 1.5}
 KEY = ["facade", "model", "record"]
 
@@ -37,7 +39,7 @@ def facade_rows(model, design, number, seed, courses):
     """Half collapse of one façade by strength and motion."""
     names = np.random.default_rng([seed, number]).choice(list(read_table(SUITE)), MOTIONS, False)
     keys = FOUR if courses else {"facade.courses": 0}
-    own = Case.configured(model, {**keys, "smdof.base_shear_ratio": None})
+    own = Case.configured(model, {**keys, **OWN})
     case, rows = atlas.facade(own, design), []
     for k, name in enumerate(map(str, names)):
         motion, direction = Motion.named(name, SUITE), "pos" if (number + k) % 2 else "neg"
@@ -64,30 +66,47 @@ def draw(args):
 
 
 def ratios(path):
-    """A row a façade, model and strength: PGA of the elastic one, and ln of what yielding does."""
+    """A row a façade, model and strength: PGA of the elastic one, and ln of what yielding does.
+
+    `lost` is what the walls' motion costs by the formula, ln of W1 over the model; façades that it
+    does not describe are left out.
+    """
     table, rows = pd.read_csv(path), []
+    lost = {key: _lost(key[1], part.iloc[0]) for key, part in table.groupby(KEY[:2])}
     elastic = table[table["ratio"].isna()].set_index(KEY)["half_g"]
     for (number, model, ratio), own in table.dropna(subset="ratio").groupby(KEY[:2] + ["ratio"]):
         first = elastic.loc[number, model].reindex(own["record"]).to_numpy()
         both = np.isfinite(first) & np.isfinite(own["half_g"].to_numpy())
         first, second = np.log(first[both]), np.log(own["half_g"].to_numpy()[both])
         row = {"facade": number, "model": model, "ratio": ratio, "curves": int(both.sum())}
+        row |= {"lost": lost[number, model]}
         row |= {"period_s": own["period_s"].iloc[0], "pga_g": float(np.exp(first.mean()))}
         row |= {"left_out": int((~both).sum()), "ln_ratio": float((second - first).mean())}
         rows.append(row | {"spread": first.std(ddof=1), "spread_yielding": second.std(ddof=1)})
-    return pd.DataFrame(rows)
+    return pd.DataFrame(rows).dropna(subset="lost")
+
+
+def _lost(model, design):
+    """ln of half collapse of W1 over that of a model, elastic, by the formula of a block on E/h."""
+    own = Case.configured(model, {"facade.courses": 0, **OWN})
+    row = groups.dimensions(atlas.facade(own, design[list(atlas.DIMENSIONS)].to_dict()))
+    try:
+        ground, moved = (law.said(row, name, "pga_g", "study")[0] for name in ("W1", model))
+    except groups.OutsideError:
+        return math.nan
+    return math.log(ground / moved)
 
 
 def predicted(given, table):
     """ln r of s, a and b."""
     s, a, b = given
     x = np.log(table["pga_g"] / table["ratio"]) + a + b * np.log(table["period_s"] / PERIOD_S)
-    return s * np.maximum(0.0, x)
+    return s * np.maximum(0.0, table["lost"]) * np.maximum(0.0, x)
 
 
 def fitted(table):
     """s, a and b by least squares, the best of some beginnings."""
-    begins = [(s, a, b) for s in (0.2, 0.5) for a in (0.0, 0.5, 1.0) for b in (-0.3, 0.3)]
+    begins = [(s, a, b) for s in (0.4, 0.8) for a in (0.0, 0.5, 1.0) for b in (-0.3, 0.3)]
     found = [
         least_squares(lambda p: predicted(p, table) - table["ln_ratio"], start) for start in begins
     ]

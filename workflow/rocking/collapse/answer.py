@@ -34,7 +34,7 @@ def at(table, at_g, column="probability"):
         Below the lowest amplitude that was run zero, above the highest its own; NaN of a curve that
         does not say it.
     """
-    known = table[["pga_g", column]].dropna().sort_values("pga_g")
+    known = table.reindex(columns=["pga_g", column]).astype(float).dropna().sort_values("pga_g")
     if known.empty:
         return np.full(len(at_g), math.nan)
     return np.interp(at_g, known["pga_g"], known[column], left=0.0)
@@ -45,6 +45,21 @@ def over_curves(tables, at_g, column="probability"):
     rows = [at(table, at_g, column) for table in tables]
     rows = [row for row in rows if not np.isnan(row).any()]
     return np.mean(rows, axis=0) if rows else np.full(len(at_g), math.nan)
+
+
+SHARED = ["pga_g", "probability", "probability_building"]
+
+
+def shares(tables, at_g):
+    """Table of `SHARED` at amplitudes: means over the curves of a model, NaN where none says it."""
+    found = {name: over_curves(tables, at_g, name) for name in SHARED[1:]}
+    return pd.DataFrame({"pga_g": at_g, **found})
+
+
+def of_runs(curve):
+    """Table of a curve without a scan, by its single runs in YADE, as `at` takes it."""
+    known = curve[curve["status"] != "failed"]
+    return pd.DataFrame({"pga_g": known["pga_g"], "probability": known["collapsed"]})
 
 
 def grid(tables):

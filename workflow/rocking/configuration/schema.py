@@ -65,9 +65,27 @@ def files(folder: Path = FOLDER) -> list[tuple[str, Path]]:
     return [(path.name.removesuffix(ENDING), path) for path in paths]
 
 
+def _loaded(path: Path) -> dict:
+    """Schema of one file as it stands there; ConfigError of one line for what is none."""
+    if not path.is_file():
+        raise ConfigError(f"{path}: expected a file")
+    try:
+        found = yaml.load(path.read_text("utf-8"), LOADER)
+    except (OSError, UnicodeDecodeError) as error:
+        raise ConfigError(f"{path}: not readable as text ({error})") from None
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        line = f" line {mark.line + 1}" if mark else ""
+        raise ConfigError(f"{path}{line}: not readable as YAML") from None
+    keys = found.get("properties") if isinstance(found, dict) else None
+    if not isinstance(keys, dict) or not all(isinstance(one, dict) for one in keys.values()):
+        raise ConfigError(f"{path}: expected a schema: properties, and below it keys")
+    return found
+
+
 def read(path: Path) -> dict:
     """Schema of one file, models and measures named."""
-    section = yaml.load(path.read_text("utf-8"), LOADER)
+    section = _loaded(path)
     for _, leaf in leaves(section):
         _name_all(leaf)
     return section
@@ -81,7 +99,7 @@ def sections(folder: Path = FOLDER) -> dict[str, dict]:
         if (known := loaded.setdefault(name, section := read(path))) is section:
             continue
         if both := sorted({*known["properties"]} & {*section["properties"]}):
-            raise ValueError(f"{path}: {name}.{both[0]} stands elsewhere too")
+            raise ConfigError(f"{path}: {name}.{both[0]} stands elsewhere too")
         known["properties"] |= section["properties"]
     if TOP not in loaded:
         raise FileNotFoundError(f"{folder}: no {TOP}.schema.yaml")

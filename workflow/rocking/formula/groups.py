@@ -15,6 +15,7 @@ from rocking.configuration import schema
 from rocking.configuration.schema import show
 from rocking.mechanics import beta
 from rocking.mechanics.closed_forms import block
+from yade_scripts.model.chain import yields
 from yade_scripts.model.facades import Facade
 from yade_scripts.model.gravity import GRAVITY_M_S2
 
@@ -55,9 +56,8 @@ HELD = {
         "tension_mpa",
         "building_mass_kg",
     },
-    "smdof": {"n_dof", "period_s", "tail_s"},
+    "smdof": {"n_dof", "period_s", "tail_s", "base_shear_ratio", "fallen_drift_ratio"},
 }
-OF_THE_ATLAS = {"base_shear_ratio": None}  # where that is not the default: an elastic building
 
 
 class OutsideError(ValueError):
@@ -98,13 +98,14 @@ def terms(row):
 def dimensions(case):
     """`DIMENSIONS` of a case: a plain box on return walls with a chain of default damping.
 
-    An OutsideError of one line names the first key that the groups do not hold.
+    With base_shear_ratio, V/W, where its building yields. An OutsideError of one line names the
+    first key that the groups do not hold.
     """
     defaults = schema.sections()
     for name, held in HELD.items():
         known = schema.complete({}, defaults[name])
-        if name == "smdof":
-            known |= OF_THE_ATLAS if case.kind.chain else case[name]  # no building moves the walls
+        if name == "smdof" and not case.kind.chain:
+            known = case[name]  # no building moves the walls
         for key, value in case[name].items():
             if key not in held and value != known[key]:
                 raise OutsideError(
@@ -141,4 +142,5 @@ def dimensions(case):
         "mass_ratio": mass / own if mass else None,
         "contact_damping": case["beta_s"] * beta.groups(case.sections)["omega_c_rad_s"],
         "storeys": chain["n_dof"],
+        **({"base_shear_ratio": chain["base_shear_ratio"]} if yields(chain) else {}),
     }

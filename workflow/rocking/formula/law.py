@@ -3,7 +3,8 @@
     ln IM50 = ln tan α + Σ c_k t_k,      ln IM ~ Normal(ln IM50, δ²) over ground motions
 
 with the groups t_k of `groups.terms`, and IM any of `MEASURES`. A base other than the one of the
-atlas has a second sum for the ratio of the two.
+atlas has a second sum for the ratio of the two; before a building that yields `yielding` says what
+its strength does.
 """
 
 import json
@@ -15,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from scipy.special import ndtr
 
-from rocking.formula import groups
+from rocking.formula import groups, yielding
 from rocking.formula.groups import OutsideError
 from rocking.shipped import shipped
 from yade_scripts.model.facades import Facade
@@ -72,11 +73,11 @@ def total(part, found):
 def said(row, model, measure="pga_g", base=None, law=None):
     """Median over motions of half collapse, dispersion δ by motion, and the formula's own error.
 
-    The row has `groups.DIMENSIONS`, of which those that the model does not know may be None. The
-    median is in the unit of the measure (`MEASURES`); without a base it is on the atlas's own, and
-    without a law (`read`) by that of `FILE`. The error is the standard one of ln median, by façades
-    and stations left out. An OutsideError of one line outside of the atlas, or for a model, measure
-    or base that it has not.
+    The row has `groups.DIMENSIONS`, of which those that the model does not know may be None. It may
+    have base_shear_ratio, V/W of a building that yields. The median is in the unit of the measure
+    (`MEASURES`); without a base it is on the atlas's own, and without a law (`read`) by that of
+    `FILE`. The error is the standard one of ln median, by façades and stations left out. An
+    OutsideError of one line outside of the atlas, or for a model, measure or base that it has not.
     """
     law = law or read()
     if model not in law["models"]:
@@ -84,8 +85,22 @@ def said(row, model, measure="pga_g", base=None, law=None):
     if measure not in MEASURES:
         raise OutsideError(f"formula: measure {measure}: expected one of {', '.join(MEASURES)}")
     check_limits(row, model, law)
-    known = {**row, **{name: law["limits"][name][0] for name in row if row[name] is None}}
-    found, own = groups.terms(known), law["models"][model][measure]
+    ratio = row.get("base_shear_ratio")
+    unknown = {name: ends[0] for name, ends in law["limits"].items() if row[name] is None}
+    found = groups.terms({**row, **unknown})
+    value, error = _elastic(row, model, measure, base, found, law)
+    if ratio is not None and "period_s" not in NOT_FOR[model]:
+        own_g, ground_g = (
+            math.exp(_elastic(row, name, "pga_g", base, found, law)[0]) for name in (model, "W1")
+        )
+        more, its_error = yielding.log_ratio(own_g, ground_g, ratio, row["period_s"], model)
+        value, error = value + more, math.hypot(error, its_error)
+    return math.exp(value), law["models"][model][measure]["dispersion"], error
+
+
+def _elastic(row, model, measure, base, found, law):
+    """Logarithm of the median before an elastic building, and its standard error."""
+    own = law["models"][model][measure]
     value, error = math.log(groups.tan_alpha(row)) + total(own, found), own["error"]
     if base not in (None, law["made_of"]["base"]):
         if base not in law["bases"]:
@@ -93,7 +108,7 @@ def said(row, model, measure="pga_g", base=None, law=None):
             raise OutsideError(f"formula: facade.base = {base}: the atlas has {other}")
         ratio = law["bases"][base][model]
         value, error = value + total(ratio, found), math.hypot(error, ratio["error"])
-    return math.exp(value), own["dispersion"], error
+    return value, error
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+from rocking.formula import yielding
 from rocking.formula.law import NOT_FOR
 from yade_scripts.model.gravity import GRAVITY_M_S2
 
@@ -38,6 +39,7 @@ def content(law):
         "not_for": {model: list(NOT_FOR[model]) for model in parts},
         "models": parts,
         "bases": law["bases"],
+        "yielding": {key: yielding.read()[key] for key in ("lowest", "models")},
         "about": (
             f"Fitted to {made['facades']} façades under {len(made['records'])} recorded motions in "
             f"{len(made['directions'])} directions. It stands for a computed answer, not for a "

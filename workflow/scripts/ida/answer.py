@@ -6,8 +6,6 @@ runs of YADE: filled where it fell, open where it stood, crossed out where not a
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rocking.collapse import answer
-from rocking.collapse.probability import KEY
 from rocking.figures import style
 from rocking.figures.panels import ticks
 from rocking.runtime.script import run
@@ -19,29 +17,28 @@ HEIGHTS = {"height_ratios": [4.0, 1.0]}
 
 
 def main(job):
-    table, checked = (read_frame(path) for path in (job.input.answer, job.input.checked))
-    probability = dict(list(read_frame(job.input.probability).groupby(KEY)))
+    names = ("answer", "curves", "checked")
+    table, curves, checked = (read_frame(job.input[name]) for name in names)
     figure, (axis, strip) = plt.subplots(2, 1, figsize=(5.2, 4.2), sharex=True, gridspec_kw=HEIGHTS)
-    at_g = answer.grid(probability.values())
-    building = []
     for one in table.to_dict("records"):
-        own = [rows for key, rows in probability.items() if key[0] == one["model"]]
-        kind, share = MODELS[one["model"]], answer.over_curves(own, at_g)
+        kind, own = MODELS[one["model"]], curves[curves["model"] == one["model"]]
         half = one["pga_half_g"]
         value = f"half fall from {half:.2f} g" if np.isfinite(half) else "fewer than half fall"
-        axis.plot(at_g, share, color=kind.colour, lw=1.6, label=f"{kind.name}: {value}")
-        building.append(answer.over_curves(own, at_g, "probability_building"))
-    known = [row for row in building if not np.isnan(row).any()]
-    if known:
+        look = {"color": kind.colour, "lw": 1.6, "label": f"{kind.name}: {value}"}
+        axis.plot(own["pga_g"], own["probability"], **look)
+    known = curves.dropna(subset=["probability_building"])
+    if len(known):
+        own = known[known["model"] == known["model"].iloc[0]]
         label = f"the building: a storey drifts {100 * job.params.drift:g} %"
-        axis.plot(at_g, known[-1], color="0.45", ls="--", lw=1.2, label=label)
+        look = {"color": "0.45", "ls": "--", "lw": 1.2, "label": label}
+        axis.plot(own["pga_g"], own["probability_building"], **look)
     axis.axhline(0.5, color="0.8", lw=0.7, zorder=0)
     axis.set(ylim=(0.0, 1.02), ylabel="probability of collapse [-]")
     axis.legend(loc="lower right")
     axis.set_title(job.params.about, loc="left", fontsize=7.5)
     names = list(table["model"])
     draw_checks(strip, names, checked)
-    strip.set(xlim=(0.0, at_g[-1]), xlabel="PGA [g]")
+    strip.set(xlim=(0.0, curves["pga_g"].max()), xlabel="PGA [g]")
     style.save(figure, job.output, job.input.facts)
 
 

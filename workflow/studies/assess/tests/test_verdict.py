@@ -16,6 +16,7 @@ from studies.assess.verdict import (
     headline,
     held_or_not,
     kinematic,
+    no_rate,
     passes,
     suite,
 )
@@ -158,6 +159,16 @@ def test_below_seven_stations_no_share_and_no_interval():
     never = dynamic(7).assign(probability=1e-4, probability_low=0.0, probability_high=2e-3)
     assert "a probability of under 1 % with W2; in" in suite(never)
     assert "over 99 % with W2; in" in suite(never.assign(probability_low=1.0, probability_high=1.0))
+
+
+def test_why_there_is_no_rate_asks_for_what_is_missing_alone():
+    """Stations of the model with most count: another may have lost some of its curves."""
+    both = pd.concat([dynamic(3), dynamic(12)], ignore_index=True)
+    config = {"assessment": {"hazard": []}, "risk": {"hazard": None}}
+    assert no_rate(both, config).count("give motions") == 0
+    assert "risk.hazard and give motions of 7" in no_rate(dynamic(6), config)
+    stated = {"assessment": {"hazard": []}, "risk": {"hazard": "a.csv"}}
+    assert no_rate(dynamic(6), stated) == "No rate: give motions of 7 stations or more."
 
 
 def test_what_is_recommended_hangs_on_what_fails():

@@ -58,6 +58,23 @@ def test_rebounds_that_targets_mean_are_those_of_the_closed_form():
     assert (low <= high).all()
 
 
+def test_targets_are_meant_for_the_run_whose_ratios_lie_nearest_to_them():
+    """Of e_n over |e_1SR|; every run has another release, so that the run can be told."""
+    one = wall(slope=0.2)
+    times = np.array([1.0, 2.0, 3.0])
+    one["found"] = [
+        Rebounds(0.1 * k, times, times + 0.1 * k, np.ones(3)) for k in range(len(BETAS))
+    ]
+    least, most = np.transpose(TARGETS)
+    ratios = 1.0 - 0.2 * np.log(BETAS[:, None] / 1e-3)
+    outside = np.maximum(least - ratios, ratios - most).clip(0.0)
+    best = int(np.argmin((outside**2).sum(axis=1)))
+    time_s, low, high = fits.rebounds_meant(one)
+    np.testing.assert_allclose(time_s, times + 0.1 * best)
+    ends = closed_forms.amplitude_after_impacts(0.1 * best, np.array(TARGETS[0]) * 0.9, 1)
+    np.testing.assert_allclose((low[0], high[0]), ends)
+
+
 @pytest.mark.parametrize(
     ("beta_s", "at_edge", "words"),
     [(1e-3, False, ""), (1e-3, True, "edge"), (math.nan, True, "no")],

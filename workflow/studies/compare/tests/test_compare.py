@@ -2,6 +2,7 @@
 
 import csv
 import re
+import shutil
 
 import pytest
 from forked import snakemake as started
@@ -78,9 +79,16 @@ def test_finished_runs_side_by_side_with_what_differs(finished):
 
 @pytest.mark.parametrize(
     ("named", "told"),
-    [("low,high", "no finished run 'high'"), ("low", "one run only; give a grid")],
+    [
+        ("low,high", "no finished run 'high' (no file results/high/tables/ida_collapse.csv); "),
+        ("low,bare", "no finished run 'bare' (no file results/bare/config.yaml); there are low,"),
+        ("low", "one run only; give a grid"),
+    ],
 )
 def test_what_cannot_be_compared_is_one_line(finished, named, told):
+    bare = finished / "results/bare/tables"
+    bare.mkdir(parents=True)
+    shutil.copy(finished / "results/low/tables/ida_collapse.csv", bare)
     done = snakemake(finished, "-n", "--config", f"compare={named}", "--", "compare")
     assert done.returncode == 1
     (line,) = [line for line in done.stderr.splitlines() if line.startswith("error:")]
