@@ -335,7 +335,8 @@ def test_an_italian_report_has_the_same_numbers_and_computes_nothing_anew(italia
     cells = '<td class="number">([^<]*)<'
     numbers = [re.findall(cells, text) for text in (english, other)]
     assert len(numbers[0]) > 400
-    assert [text.translate(swapped) for text in numbers[1]] == numbers[0]
+    own = [text for text in numbers[0] if text.count(".") < 2]  # no numbers of formulas
+    assert [text.translate(swapped) for text in numbers[1] if text.count(".") < 2] == own
     assert '<html lang="it">' in other
     assert "Ada" in other
 
@@ -347,7 +348,7 @@ def test_an_italian_report_has_no_english_but_names(italian):
     drawn = " ".join(base64.b64decode(one).decode() for one in pictures)
     drawn = " ".join(re.findall("<text[^>]*>([^<]*)<", drawn))
     assert "spostamento" in drawn
-    body = re.sub("<[^>]+>", " ", re.sub("(?s)<style>.*?</style>", "", text))
-    body = re.sub(r"Fonte: .*?Licenza: \S+", " ", body)
-    words = set(re.findall("[a-zà-ù]+", NAMES.sub(" ", f"{body} {drawn}").lower()))
+    body = re.sub("(?s)<style>.*?</style>|<p>Fonte: .*?</p>", "", text)
+    body = NAMES.sub(" ", re.sub("<[^>]+>", " ", body) + drawn)
+    words = {word.lower() for word in re.findall(r"\b[A-Z]?[a-zà-ù]+\b", body)}
     assert words & ENGLISH_WORDS == set()
