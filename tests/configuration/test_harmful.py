@@ -20,6 +20,14 @@ NINES = "a0: &a0 {k: 1}\n" + "".join(
 HARMFUL = {
     "template": (RUNS, "__use_yte__"),
     "template by a merge": ("b: &b {__use_yte__: true}\n<<: *b\nrun: ?1\n", "__use_yte__"),
+    "template by a list of merges": (
+        "b: &b {__use_yte__: true}\nc: &c {k: 1}\n<<: [*c, *b]\nrun: ?1\n",
+        "__use_yte__",
+    ),
+    "template by a merge of a merge": (
+        "a: &a {__use_yte__: true}\nb: &b {<<: *a}\n<<: *b\nrun: ?1\n",
+        "__use_yte__",
+    ),
     "template as JSON": ('{"__use_yte__": true, "run": "x"}', "__use_yte__"),
     "template, untrue": ("__use_yte__: 0\nrun: x\n", "__use_yte__"),
     "merges of merges": (NINES, "values with all aliases"),
@@ -27,6 +35,10 @@ HARMFUL = {
     "itself": ("a: &a [*a]\n", "line 1: stands within itself"),
     "much": ("".join(f"k{k}: {k}\n" for k in range(30_000)), "larger than 250000 bytes"),
     "digits": (f"run: a\nseed: {'7' * 4000}\n", "line 2: a number of 4000 characters"),
+    "base 60 with a fraction": (
+        f"seed: {'1' + ':59' * 4000}.5\n",
+        "line 1: a number of 12003 characters",
+    ),
     "base 60": (f"seed: {'1' + ':59' * 4000}\n", "line 1: a number of 12001 characters"),
 }
 

@@ -5,10 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from rocking import Case, Motion
+from rocking import Motion
 from rocking.records import RecordError, load, read_table
 from rocking.records.floor_check import check_floors
 from rocking.records.floors import floor_columns
+from study_cases import study_case
 
 from smdof.chain import Chain
 from smdof.storeys import Storeys, strengths, yielding_motions
@@ -210,10 +211,10 @@ def test_floors_that_a_case_would_ignore_or_has_not_are_refused(tmp_path, made):
     motion = Motion.read_floors(write(tmp_path, time_s, columns))
     mass = {"return_wall.building_mass_kg": 66000.0}
     with pytest.raises(ValueError, match="W2m computes its floors itself"):
-        motion.columns(Case.configured("W2m", mass))
+        motion.columns(study_case("W2m", mass))
     with pytest.raises(ValueError, match="4 floors, but smdof.n_dof = 3"):
-        motion.columns(Case.configured("W2", {"smdof.n_dof": 3}))
+        motion.columns(study_case("W2", {"smdof.n_dof": 3}))
     with pytest.warns(UserWarning, match="scale with the ground's peak"):
-        motion.columns(Case.configured("W2"))
+        motion.columns(study_case("W2"))
     own = Motion.of_workflow(write(tmp_path, time_s, columns), "RRS228")
-    assert own.columns(Case.configured("W2m", mass))[1].keys() == columns.keys()
+    assert own.columns(study_case("W2m", mass))[1].keys() == columns.keys()

@@ -5,10 +5,11 @@ import math
 import os
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from rocking import compile_ahead
-from rocking.runtime.compiled import looped
+from rocking.runtime.compiled import KeptLoops, looped
 from rocking.solver.block import march_blocks
 
 SEEN = """
@@ -195,6 +196,35 @@ def test_code_of_sources_before_is_cleared_and_that_of_other_types_kept(tmp_path
         assert len(list(tmp_path.rglob("*.nbc"))) == 2
     hits = "from outer import f; f(10); f(10.0); print(sum(f.stats.cache_hits.values()))"
     assert printed(tmp_path, hits).strip() == "2"
+
+
+def test_what_one_process_compiles_another_waits_for_and_reads(tmp_path):
+    """A second cache of the same files, as of another process: it waits until the first keeps."""
+
+    def kept():
+        found = KeptLoops(str(tmp_path), "f", ("stamp",))
+        found.source = __file__
+        return found
+
+    first, second = kept(), kept()
+    assert first.load("types") is None  # its turn
+    assert first.load("types") is None  # which it has already
+    with ThreadPoolExecutor(1) as pool:
+        waits = pool.submit(second.load, "types")
+        assert kept().load("other types") is None  # of which none compiles
+        with pytest.raises(TimeoutError):
+            waits.result(timeout=0.5)
+        first.save("types", [1, 2])
+        assert waits.result(timeout=60) == [1, 2]
+    assert len(list(tmp_path.glob("*.lock"))) == 1  # of the other types
+
+
+def test_a_process_that_ended_as_it_compiled_is_not_waited_for(tmp_path):
+    first = KeptLoops(str(tmp_path), "f", ("stamp",))
+    assert first.load("types") is None
+    for held in first._turns.values():
+        os.close(held)  # as the system does
+    assert KeptLoops(str(tmp_path), "f", ("stamp",)).load("types") is None
 
 
 @pytest.mark.slow

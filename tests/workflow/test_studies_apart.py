@@ -142,7 +142,8 @@ def test_without_any_of_them_the_main_job_is_planned(tmp_path):
         shutil.move(tmp_path / "workflow" / "studies" / name, tmp_path / name)
     status, said = planned(tmp_path)
     assert status == 0, said
-    status, said = planned(tmp_path, "--config", "models=W2m")  # no study finds its mass
+    no_mass = "return_wall={building_mass_kg: null}"  # which no study finds
+    status, said = planned(tmp_path, "--config", "models=W2m", no_mass)
     assert status == 1
     assert "return_wall.building_mass_kg: null; W2m takes the building's mass" in said
     assert targets(tmp_path) == targets(study=None)

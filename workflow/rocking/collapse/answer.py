@@ -57,9 +57,15 @@ def shares(tables, at_g):
 
 
 def of_runs(curve):
-    """Table of a curve without a scan, by its single runs in YADE, as `at` takes it."""
-    known = curve[curve["status"] != "failed"]
-    return pd.DataFrame({"pga_g": known["pga_g"], "probability": known["collapsed"]})
+    """Table of a curve without a scan, by its single runs in YADE, as `at` takes it.
+
+    What the highest run up to an amplitude did holds there: between two runs nothing is known.
+    """
+    known = curve[curve["status"] != "failed"].sort_values("pga_g")
+    pga_g, fell = known["pga_g"].to_numpy(float), known["collapsed"].to_numpy(float)
+    before = pga_g[1:] * (1.0 - 1e-9)
+    step = pd.DataFrame({"pga_g": [*pga_g, *before], "probability": [*fell, *fell[:-1]]})
+    return step.sort_values("pga_g", ignore_index=True)
 
 
 def grid(tables):

@@ -44,6 +44,7 @@ HEAVY_KG = 1e9  # of a building that drives its walls; what they do to it is lef
 OWN_MOTIONS = 32  # at once, where each amplitude has floor motions of its own: 0.4 GB
 KEPT = 16  # façades whose scenes are kept, for the motions that follow
 LATE_STEP = 0.5  # of `COURSES_STEP`, where the dashpots of thin courses act at the end of a step
+YIELDED = 2.0  # times as long a brief history goes on behind a building that yields
 COURSES_LONG = 2.0  # times the step of courses, of brief histories by long steps
 
 
@@ -266,8 +267,9 @@ class Screen(Scan):
     solver's own choice is too dear (of pieces between hinges up to `PIECES_STEPS` as much); then
     every layout of nodes has a step of its own. `brief` histories end once what is left of the
     motion no longer tells (`runs.Brief`), so that later swings are not known; with a fraction
-    courses have `COURSES_LONG` times their step. What a building that yields does later its elastic
-    floors do not tell: behind one, histories are whole.
+    courses have `COURSES_LONG` times their step. Behind a building that
+    yields its elastic floors tell when little is left, and histories end `YIELDED` times as much
+    later.
 
     Where a building yields and drives its walls, it marches with the façade: as one that carries
     them and that nothing can push. Where it does not at an amplitude, its floors are scaled.
@@ -278,9 +280,11 @@ class Screen(Scan):
     def __init__(self, case, time_s, columns, direction, fraction=None, before=None, brief=False):
         """Prepare the scene in every layout of nodes that realisations use."""
         self.numerics, self.direction, self.ground = case["numerics"], direction, columns["ground"]
-        brief = brief and not (registry.model(case["model"]).chain and yields(case["smdof"]))
         if brief:
-            self.numerics = {**self.numerics, "brief": Brief()}
+            own = Brief()
+            if registry.model(case["model"]).chain and yields(case["smdof"]):
+                own = own._replace(after_s=YIELDED * own.after_s)
+            self.numerics = {**self.numerics, "brief": own}
         kept = _layouts_of(json.dumps(case, sort_keys=True), fraction, brief)
         self.scene, self.planes, self.steps_s, self.shorter, self.carried = kept
         self.two_way = registry.model(case["model"]).two_way

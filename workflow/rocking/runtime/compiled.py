@@ -6,6 +6,7 @@ import hashlib
 import os
 import stat
 import sys
+import time
 from functools import cache as cache_once
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ from numba.extending import register_jitable
 OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}  # without the interpreter's lock
 OTHERS = stat.S_IWGRP | stat.S_IWOTH  # may write
 UNCOUNTED: dict[str, Any] = {"_nrt": False}  # without numba's counts of who refers to an array
+OTHER_S = 600.0  # at most, until another process has compiled the same
 WITHIN: Any = {"forceinline": True, "no_cfunc_wrapper": True, **OPTIONS, **UNCOUNTED}
 
 
@@ -57,9 +59,26 @@ class KeptLoops(IndexDataCacheFile):
     content, and the index names files that exist alone.
 
     Machine code is run, so a file that others may have written counts as missing.
+
+    One process at a time compiles what is missing; those that waited for it read what it kept.
     """
 
     source = ""  # of the function
+
+    def __init__(self, *given):
+        """As numba's."""
+        super().__init__(*given)
+        self._turns: dict[str, int] = {}  # locks of what this process compiles, by their files
+
+    def load(self, key):
+        """Read machine code; none where it is this process's turn to compile it."""
+        found = super().load(key)
+        if found is None and (lock := self._lock(key)) not in self._turns:
+            self._wait(lock)
+            found = super().load(key)
+            if found is not None:
+                self._done(lock)
+        return found
 
     def save(self, key, data):
         """Keep what was compiled; one process at a time where the file system has locks."""
@@ -70,6 +89,35 @@ class KeptLoops(IndexDataCacheFile):
             overloads = {**self._load_index(), key: name}
             self._save_index(overloads)
             self._clear({*overloads.values()})
+        self._done(self._lock(key))
+
+    def _lock(self, key):
+        name = hashlib.sha256(repr(key).encode()).hexdigest()[:16]
+        return f"{self._index_path}.{name}.lock"
+
+    def _wait(self, lock):
+        """Take the turn to compile, where the folder can be written and has locks."""
+        with contextlib.suppress(OSError):
+            how = os.O_RDWR | os.O_CREAT | os.O_CLOEXEC | os.O_NOFOLLOW
+            held, end = os.open(lock, how, 0o600), time.monotonic() + OTHER_S
+            try:
+                while time.monotonic() < end:
+                    try:
+                        fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                    except BlockingIOError:
+                        time.sleep(0.1)
+                    else:
+                        self._turns[lock] = held
+                        return
+            finally:
+                if lock not in self._turns:
+                    os.close(held)
+
+    def _done(self, lock):
+        if (held := self._turns.pop(lock, None)) is not None:
+            with contextlib.suppress(OSError):
+                os.unlink(lock)
+            os.close(held)
 
     def _load_index(self):
         """Read what is of this source; an index that names modules that are gone is of another."""

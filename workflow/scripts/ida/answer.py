@@ -7,24 +7,25 @@ runs of YADE: filled where it fell, open where it stood, crossed out where not a
 import matplotlib.pyplot as plt
 import numpy as np
 from rocking.figures import style
-from rocking.figures.panels import ticks
+from rocking.figures.panels import common_legend, ticks
 from rocking.runtime.script import run
 from rocking.tables import read_frame
 
 from yade_scripts.model.registry import MODELS
 
+FLAT, MARGIN = 0.02, 1.1  # a share; over the PGA of the last rise
 HEIGHTS = {"height_ratios": [4.0, 1.0]}
 
 
 def main(job):
     names = ("answer", "curves", "checked")
     table, curves, checked = (read_frame(job.input[name]) for name in names)
-    figure, (axis, strip) = plt.subplots(2, 1, figsize=(5.2, 4.2), sharex=True, gridspec_kw=HEIGHTS)
+    figure, (axis, strip) = plt.subplots(2, 1, figsize=(5.2, 4.6), sharex=True, gridspec_kw=HEIGHTS)
     for one in table.to_dict("records"):
         kind, own = MODELS[one["model"]], curves[curves["model"] == one["model"]]
         half = one["pga_half_g"]
         value = f"half fall from {half:.2f} g" if np.isfinite(half) else "fewer than half fall"
-        look = {"color": kind.colour, "lw": 1.6, "label": f"{kind.name}: {value}"}
+        look = {"color": kind.colour, "lw": 1.6, "label": f"{kind.name}, {kind.moved}: {value}"}
         axis.plot(own["pga_g"], own["probability"], **look)
     known = curves.dropna(subset=["probability_building"])
     if len(known):
@@ -34,17 +35,25 @@ def main(job):
         axis.plot(own["pga_g"], own["probability_building"], **look)
     axis.axhline(0.5, color="0.8", lw=0.7, zorder=0)
     axis.set(ylim=(0.0, 1.02), ylabel="probability of collapse [-]")
-    axis.legend(loc="lower right")
+    common_legend(figure, loc="outside upper left", ncols=1)
     axis.set_title(job.params.about, loc="left", fontsize=7.5)
     names = list(table["model"])
     draw_checks(strip, names, checked)
-    strip.set(xlim=(0.0, curves["pga_g"].max()), xlabel="PGA [g]")
+    strip.set(xlim=(0.0, last_rise(curves)), xlabel="PGA [g]")
     style.save(figure, job.output, job.input.facts)
+
+
+def last_rise(curves):
+    """PGA up to which the lines rise, and a little more."""
+    own = curves.dropna(subset=["probability"])
+    end = own.groupby("model")["probability"].transform("last")
+    rising = own.loc[own["probability"] < end - FLAT, "pga_g"]
+    return MARGIN * rising.max() if len(rising) else curves["pga_g"].max()
 
 
 def draw_checks(strip, names, checked):
     """YADE's runs of every model in a row of its own."""
-    said = "YADE: filled where it fell, open where it stood"
+    said = "YADE: filled where it fell, open where it stood" if len(checked) else "no run compared"
     if (checked["fell"] != checked["foretold"]).any():
         said += "; crossed out: not as foretold"
     strip.set_title(said, loc="left", fontsize=7.5)

@@ -100,6 +100,17 @@ def test_the_strength_of_the_building_is_an_assumption_beside_the_configured_one
     }
 
 
+def test_a_building_has_the_façade_s_mass_over_the_ratio():
+    """m = ρ h b w of the façade, over the ratio; a driven one has the façade's own."""
+    case = Case.configured("W2")
+    settings = {"periods_s": [0.2], "damping_ratios": [], "mass_ratios": [0.1, 0.5]}
+    size = [case["facade"][key] for key in ("height_m", "thickness_m", "width_m", "density_kg_m3")]
+    masses = [
+        one.changes["return_wall.building_mass_kg"] for one in assumptions.buildings(case, settings)
+    ]
+    np.testing.assert_allclose(masses, np.prod(size) / np.array([1.0, 0.1, 0.5]), rtol=1e-12)
+
+
 def test_every_pair_of_couplings_stands_once_and_then_each_over_the_reference():
     """W1 has no walls that move: its own counterpart is none."""
     pga_g = {"W1": 0.4, "W2": 0.2, "W2m": 0.3, "other": 0.1}

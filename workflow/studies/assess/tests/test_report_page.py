@@ -1,6 +1,7 @@
 """The assessment as a page and as its PDF: one source, self-contained, with text to be searched."""
 
 import contextlib
+import itertools
 import os
 import re
 import shutil
@@ -8,9 +9,11 @@ import subprocess
 import types
 import zlib
 
+import matplotlib.pyplot as plt
 import numpy as np
+import pandas as pd
 import pytest
-from studies.assess import paper
+from studies.assess import paper, pictures
 from studies.assess.catalogue import SAY
 from studies.assess.drawings import spread
 from studies.assess.paper import Picture, Table
@@ -118,6 +121,22 @@ def test_numbers_beside_a_drawing_keep_apart_and_in_order():
         assert found[-1] <= 10.0
     assert spread([1.0, 5.0], 1.0, 0.0, 10.0) == [1.0, 5.0]
     assert np.diff(spread([3.0] * 21, 1.0, 0.0, 10.0)) == pytest.approx(0.5, rel=1e-6)
+
+
+@pytest.mark.parametrize("near", [0.57, 0.574, 0.6, 0.5])
+def test_labels_of_a_bar_do_not_overprint(near):
+    """Of two factors whose values are alike, on one side of the line or on both."""
+    rows = [("a", 0.95, 0.575), ("a", 1.05, near), ("b", 0.75, 0.94), ("b", 1.25, 0.545)]
+    table = pd.DataFrame(rows, columns=["key", "factor", "value"])
+    figure = plt.figure(figsize=(4.7, 1.7), layout="constrained")
+    pictures.tornado(SAY, table, 0.543, figure)
+    figure.canvas.draw()
+    labels = [one for one in figure.axes[0].texts if one.get_text().startswith("×")]
+    boxes = [one.get_window_extent() for one in labels]
+    plt.close(figure)
+    assert "".join(sorted("".join(one.get_text() for one in labels))).count("×") == 4
+    for one, other in itertools.combinations(boxes, 2):
+        assert not one.overlaps(other)
 
 
 @pytest.mark.skipif(not AVAILABLE, reason="no Chromium with ChromeDriver")

@@ -93,6 +93,26 @@ def test_a_part_of_the_parapet_stands_on_the_top_of_the_building():
     assert (part["height_m"], part["width_m"]) == (pytest.approx(1.5), pytest.approx(6.0))
 
 
+def test_below_what_is_known_a_part_is_asked_only_while_it_moves(monkeypatch):
+    """Six amplitudes down to 0.57 of what is known, two at a time, until d/b stays below 0.3."""
+    peaks, asked = {"calm": (0.29, 0.29), "less": (0.5, 0.2), "far": (0.9, 0.9)}, {}
+
+    def listed(_, turns, levels):
+        tables = []
+        for name, own in zip(turns, levels, strict=True):
+            asked.setdefault(name, []).extend(own)
+            d = np.where(np.asarray(own) > 0.85, *peaks[name])
+            tables.append(pd.DataFrame({"pga_g": own, "status": "ok", "d_over_b": d}))
+        return tables
+
+    monkeypatch.setattr(collapses, "_listed", listed)
+    rows = collapses.by_part({"part": None}, list(peaks), 2.0, [1.0, 1.0, 1.0])["part"]
+    assert [len(asked[name]) for name in peaks] == [2, 4, 6]
+    assert [row["runs_planar"] for row in rows] == [2, 4, 6]
+    assert sorted(asked["far"]) == pytest.approx(1.12 ** np.arange(-5.0, 1.0))
+    assert all(np.isnan(row["pga_median_g"]) and row["pga_max_g"] == 1.0 for row in rows)
+
+
 @pytest.mark.slow
 def test_climbs_that_end_where_another_has_fallen_lose_no_first_collapse():
     """The least of all mechanisms under each motion, with and without the early ends."""
