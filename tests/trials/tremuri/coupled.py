@@ -23,8 +23,8 @@ from smdof.storeys import Response, Storeys
 MASS_KG = np.array([4480.0, 4400.0])  # squat, slender
 FLOOR_N_M = 24e6 * 0.024 * 4.12 / 3.94
 ALPHA_1_S, BETA_S = 1.078464369, 0.000883288
-PERIODS_S = ((0.05, 0.065, 0.085, 0.11, 0.14), (0.19, 0.23, 0.28, 0.34))
-STRENGTHS = ((0.28, 0.38, 0.50), (0.16, 0.20, 0.24))
+PERIODS_S = ((0.04, 0.05, 0.065, 0.085), (0.15, 0.19, 0.23, 0.28))
+STRENGTHS = ((0.20, 0.28, 0.38, 0.50), (0.16, 0.20, 0.24, 0.30))
 LAWS = ("bilinear", "peak_oriented", "origin_oriented", "flag")
 LONGEST_S, SHARES = 25.0, (5e-4, 0.995)  # of ∫a² dt, between which a motion is run
 WALLS = ("squat", "slender")
