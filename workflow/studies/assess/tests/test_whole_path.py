@@ -57,16 +57,16 @@ def folder(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def italian(folder):
-    """The same run with the report in Italian: its page, and the rules that ran for it."""
-    here = folder.parents[2]
-    before = (folder / "report.html").read_text("utf-8")
+    """Pages of the same run in English and in Italian, and the tables made for the second."""
+    here, page = folder.parents[2], folder / "report.html"
+    before = page.read_text("utf-8")
+    made = {path: path.stat().st_mtime_ns for path in folder.glob("*.csv")}
     words = "assessment={language: it, engineer: Ada}"
     done = snakemake(here, "--configfile", "small.yaml", "--config", words, "--", "assess")
     assert done.returncode == 0, done.stderr
-    ran = set(re.findall(r"(?m)^(?:local)?rule (\w+):", done.stderr + done.stdout))
-    other = (folder / "report.html").read_text("utf-8")
-    (folder / "report.html").write_text(before, "utf-8")  # for tests that read the English one
-    return before, other, ran
+    other = page.read_text("utf-8")
+    page.write_text(before, "utf-8")  # for tests that read the English one
+    return before, other, {path.name for path in made if path.stat().st_mtime_ns != made[path]}
 
 
 def the_part(model):
@@ -328,14 +328,15 @@ def test_housners_velocity_and_intensity_once(folder):
 
 
 def test_an_italian_report_has_the_same_numbers_and_computes_nothing_anew(italian):
-    """Numbers of tables, with the decimal comma set back; the rules that made them did not run."""
-    english, other, ran = italian
-    assert not any(name.startswith("assess_") for name in ran - {"assess_report"})
+    """Numbers of the page's tables with the decimal comma set back; files but its own are kept."""
+    english, other, made = italian
+    assert made == {"values.csv"}
     swapped = str.maketrans(",.", ".,")
     cells = '<td class="number">([^<]*)<'
     numbers = [re.findall(cells, text) for text in (english, other)]
     assert len(numbers[0]) > 400
-    assert [text.translate(swapped) for text in numbers[1]] == numbers[0]
+    own = [text for text in numbers[0] if text.count(".") < 2]  # no numbers of formulas
+    assert [text.translate(swapped) for text in numbers[1] if text.count(".") < 2] == own
     assert '<html lang="it">' in other
     assert "Ada" in other
 
@@ -347,7 +348,7 @@ def test_an_italian_report_has_no_english_but_names(italian):
     drawn = " ".join(base64.b64decode(one).decode() for one in pictures)
     drawn = " ".join(re.findall("<text[^>]*>([^<]*)<", drawn))
     assert "spostamento" in drawn
-    body = re.sub("<[^>]+>", " ", re.sub("(?s)<style>.*?</style>", "", text))
-    body = re.sub(r"Fonte: .*?Licenza: \S+", " ", body)
-    words = set(re.findall("[a-zà-ù]+", NAMES.sub(" ", f"{body} {drawn}").lower()))
+    body = re.sub("(?s)<style>.*?</style>|<p>Fonte: .*?</p>", "", text)
+    body = NAMES.sub(" ", re.sub("<[^>]+>", " ", body) + drawn)
+    words = {word.lower() for word in re.findall(r"\b[A-Z]?[a-zà-ù]+\b", body)}
     assert words & ENGLISH_WORDS == set()
