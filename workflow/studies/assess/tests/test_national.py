@@ -18,7 +18,14 @@ ROWS = [
         (2475, 0.361, 2.41, 0.36),
     )
 ]
-OWN = {"hazard": ROWS, "return_period_years": 475, "soil": "B", "topography": "T2", "ag_g": None}
+OWN = {
+    "hazard": ROWS,
+    "return_period_years": 475,
+    "soil": "B",
+    "topography": "T2",
+    "ag_g": None,
+    "en_spectrum": None,
+}
 
 
 def test_the_row_of_a_return_period_is_taken_as_it_is():
