@@ -14,13 +14,14 @@ from rocking.tables import read_frame
 from yade_scripts.model.registry import MODELS
 
 FLAT, MARGIN = 0.02, 1.1  # a share; over the PGA of the last rise
+BEYOND = 1.5  # times the PGA at which every line has come to 84 %
 HEIGHTS = {"height_ratios": [4.0, 1.0]}
 
 
 def main(job):
     names = ("answer", "curves", "checked")
     table, curves, checked = (read_frame(job.input[name]) for name in names)
-    figure, (axis, strip) = plt.subplots(2, 1, figsize=(5.2, 4.6), sharex=True, gridspec_kw=HEIGHTS)
+    figure, (axis, strip) = plt.subplots(2, 1, figsize=(6.0, 4.8), sharex=True, gridspec_kw=HEIGHTS)
     for one in table.to_dict("records"):
         kind, own = MODELS[one["model"]], curves[curves["model"] == one["model"]]
         half = one["pga_half_g"]
@@ -39,8 +40,15 @@ def main(job):
     axis.set_title(job.params.about, loc="left", fontsize=7.5)
     names = list(table["model"])
     draw_checks(strip, names, checked)
-    strip.set(xlim=(0.0, last_rise(curves)), xlabel="PGA [g]")
+    strip.set(xlim=(0.0, end_g(table, curves)), xlabel="PGA [g]")
     style.save(figure, job.output, job.input.facts)
+
+
+def end_g(table, curves):
+    """PGA up to which the lines are drawn: half as far again as most fall, if they rise so far."""
+    most_g = table["pga_high_g"].max(skipna=False)
+    rise_g = last_rise(curves)
+    return min(BEYOND * most_g, rise_g) if np.isfinite(most_g) else rise_g
 
 
 def last_rise(curves):

@@ -29,7 +29,8 @@ def main(job):
     for path, ensemble in zip(job.input.ida, job.input.ensembles, strict=True):
         curve = read_curve(path)
         model, record, direction = (curve[k][0] for k in ("model", "record", "direction"))
-        curve = pd.concat([curve, read_frame(ensemble)])
+        more = read_frame(ensemble)
+        curve = pd.concat([curve, more]) if len(more) else curve
         row = [
             model,
             record,
