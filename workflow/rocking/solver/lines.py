@@ -204,7 +204,7 @@ def press(p, parts, rows, back, time, alive, counts):
         if not counts and not some(shut[1] > shut[0]):
             _open(rows, first, shut, (d0, d1), back, 3 * i)
             continue
-        turns, (q0, q1, _, _, step, _) = moving(parts, ends, arms, direction, along, past)
+        turns, (q0, q1, _, _, g0, g1) = moving(parts, ends, arms, direction, along, past)
         h0, h1 = d0 + beta * q0, d1 + beta * q1
         low, high = _reach(h0, h1, *shut)
         length = max(high - low, 0.0)
@@ -223,14 +223,15 @@ def press(p, parts, rows, back, time, alive, counts):
         normal = length * mean
         moment = length * (mean * middle + h1 * second)
         law, reach = (ratio, friction, p.lead > 0.0), (low, high, was[0], was[1])
-        shear, stuck, grip, loss = rubbed(
-            lines, i, rows, first, reach, (h0, h1, step), law, acts, counts
+        shear, turned, stuck, grip, loss = rubbed(
+            lines, i, rows, first, reach, (h0, h1, g0, g1), law, acts, counts
         )
         more, more_moment = _closing((d0, d1), before, shut, (h0, h1), half)
         whole = normal + more
         counted = choose(normal > 0.0, whole / choose(normal > 0.0, normal, 1.0), 1.0)
         force = k * whole, k * shear
-        act(parts, ends, arms, direction, force, turns[0] * (k * (moment + more_moment)))
+        couple = k * (turns[0] * (moment + more_moment) - turns[1] * turned)
+        act(parts, ends, arms, direction, force, couple)
         dashpot = (p.late * beta + p.lead * dt) * k * counted * length
         sums = dashpot, dashpot * middle, dashpot * (middle * middle + second)
         withstand(parts, ends, arms, direction, turns[0], sums, back, 3 * i)

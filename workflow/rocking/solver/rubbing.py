@@ -1,6 +1,9 @@
 """Friction along a line of `lines`, told in parts: each has a spring that slides at μN.
 
 Parts that are pressed all along, and of which none slides, go together until one of them may.
+Where a line meets its plane at an angle, its points slip differently as it turns, by what their
+place has along the plane; friction there turns the block too. Pressed all along, a line has next to
+no angle.
 """
 
 from rocking.runtime.compiled import inlined
@@ -39,8 +42,8 @@ def rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
         The line, and its rows from that one on.
     reach : tuple of 4 numbers
         From where to where it is pressed, now and at the last step.
-    moves : tuple of 3 numbers
-        Normal force over k along the line, h0 + h1·s; slip of this step.
+    moves : tuple of 4 numbers
+        Normal force over k along the line, h0 + h1·s; slip of this step, g0 + g1·s.
     law : tuple of 3
         ks/kn, tan φ; whether the length that sticks is wanted.
     acts : mask
@@ -48,11 +51,11 @@ def rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
 
     Returns
     -------
-    shear, stuck, grip, loss : number
-        Force, length that sticks, Σ length·slip², and the energy that sliding took and opening
-        parts lost; the last two of one history.
+    shear, first_moment, stuck, grip, loss : number
+        Force, Σ s·force, length that sticks, Σ length·slip², and the energy that sliding took and
+        opening parts lost; the last two of one history.
     """
-    (low, high, low_then, high_then), (h0, h1, step) = reach, moves
+    (low, high, low_then, high_then), (h0, h1, step, _) = reach, moves
     (ratio, friction, _), half = law, lines.half_m[i]
     throughout = (max(low, low_then) <= -half) & (min(high, high_then) >= half) & acts
     least = friction * max(min(h0 - h1 * half, h0 + h1 * half), 0.0)
@@ -73,21 +76,21 @@ def rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
             grip = take(rows, first + SQUARES) + since * (2.0 * sum_ + since * length)
     each = acts & ~holds
     if not (counts or some(each)):
-        return shear, stuck, grip, none
+        return shear, none, stuck, grip, none
     if counts and some(holds):
-        return shear, stuck, grip, none
-    t, s, g, loss = _part_by_part(
+        return shear, none, stuck, grip, none
+    t, m, s, g, loss = _part_by_part(
         lines, i, rows, first, reach, moves, law, (each, throughout), counts
     )
-    return choose(each, t, shear), choose(each, s, stuck), grip + g, loss
+    return choose(each, t, shear), choose(each, m, none), choose(each, s, stuck), grip + g, loss
 
 
 @inlined
 def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
     """As `rubbed`, part by part: where it is wanted, and where all of the line is pressed."""
-    (low, high, low_then, high_then), (h0, h1, step) = reach, moves
+    (low, high, low_then, high_then), (h0, h1, step, more) = reach, moves
     (ratio, friction, wanted), (each, throughout), half = law, acts, lines.half_m[i]
-    shear = stuck = grip = loss = stored = top = like(0.0, h0)
+    shear = first_moment = stuck = grip = loss = stored = top = like(0.0, h0)
     glides = each & ~each
     even = not counts and every(throughout | ~each)
     for begin in range(0, lines.parts[i], SOME):
@@ -114,13 +117,15 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
                 had = had * (min(before, share) / choose(shut, share, 1.0))
                 if counts:
                     loss -= 0.5 * ratio * share * had * had
-            most = friction * max(h0 + h1 * (0.5 * (start + stop)), 0.0)
-            slip = had + step
+            middle = choose(shut, 0.5 * (start + stop), 0.0)
+            most = friction * max(h0 + h1 * middle, 0.0)
+            slip = had + (step + more * middle)
             held = ratio * slip
             force = min(max(held, -most), most)
             sticks = abs(held) <= most
             slip = choose(shut, choose(sticks, slip, force / ratio), 0.0)
             shear += share * force
+            first_moment += share * force * middle
             glides = glides | (shut & ~sticks)
             top, stored = max(top, abs(slip)), stored + share * slip
             if wanted:
@@ -138,4 +143,4 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
         put_where(rows, first + SUM, joins, stored)
         put_where(rows, first + SQUARES, joins, grip)
         put_where(rows, first + MOST, joins, top)
-    return shear, stuck, grip, loss
+    return shear, first_moment, stuck, grip, loss
