@@ -78,7 +78,7 @@ def imports():
     importlib.import_module("snakemake.cli").get_argument_parser()  # its plugins
 
 
-MAIN_JOB = ((planar, "W2", 1), (building,), (imports,))
+MAIN_JOB = ((planar, "W2", 1), (planar, "W2"), (building,), (imports,))
 JOBS = (
     (planar, "W2", 0, True),
     (others,),

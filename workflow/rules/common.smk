@@ -297,7 +297,9 @@ onstart:
 onsuccess:
     with left_out_if_unknown("the answer in a few lines"):
         if any(job.rule.name == "table_answer" for job in workflow.dag.jobs):
-            say_answers([Path(RESULTS) / run / "tables" / "answer.csv" for run in RUNS.settings])
+            say_answers(
+                [Path(RESULTS) / run / "tables" / "answer.csv" for run in RUNS.settings]
+            )
     folders = ", ".join(f"{RESULTS}/{run}" for run in RUNS.settings)
     print(f"done: results in {folders}", file=sys.stderr)
 
