@@ -211,7 +211,7 @@ def test_what_one_process_compiles_another_waits_for_and_reads(tmp_path):
     assert first.load("types") is None  # which it has already
     with ThreadPoolExecutor(1) as pool:
         waits = pool.submit(second.load, "types")
-        assert kept().load("other types") is None  # of which none compiles
+        assert kept().load("other types") is None  # nothing is compiled for them
         with pytest.raises(TimeoutError):
             waits.result(timeout=0.5)
         first.save("types", [1, 2])

@@ -45,7 +45,7 @@ def falls_at(case, motion, direction, highest_g):
     """Lowest PGA at which a storey of a building that yields comes to its drift [g], alone.
 
     Of amplitudes `RATIO` apart, up to the highest; NaN where it stands at all of them, stays
-    elastic, or there is none.
+    elastic, or the model has no building.
     """
     if not (case.kind.chain and yields(case["smdof"])):
         return np.nan

@@ -66,7 +66,7 @@ def files(folder: Path = FOLDER) -> list[tuple[str, Path]]:
 
 
 def _loaded(path: Path) -> dict:
-    """Schema of one file as it stands there; ConfigError of one line for what is none."""
+    """Schema of one file as it stands there; ConfigError of one line if it is no schema."""
     if not path.is_file():
         raise ConfigError(f"{path}: expected a file")
     try:

@@ -42,7 +42,7 @@ NOT_FOR = {  # dimensions that a model does not know
 
 @lru_cache(maxsize=4)
 def read(path=FILE):
-    """Content of a formula's file; a ValueError of one line where it is none."""
+    """Content of a formula's file; a ValueError of one line where the file is not of that kind."""
     try:
         law = json.loads(Path(path).read_text("utf-8"))
         law["models"], law["limits"], law["bases"]

@@ -24,7 +24,7 @@ FILE = shipped("config/formula_yielding.json")
 
 @lru_cache(maxsize=4)
 def read(path=FILE):
-    """Content of the file of what yielding does; a ValueError of one line where it is none."""
+    """Content of the file on yielding; a ValueError of one line for a file of another kind."""
     try:
         law = json.loads(Path(path).read_text("utf-8"))
         law["models"], law["lowest"]
