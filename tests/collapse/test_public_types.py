@@ -71,7 +71,7 @@ def test_a_type_checker_finds_a_wrong_argument(tmp_path):
     script = tmp_path / "mine.py"
     script.write_text(
         "from rocking import Case, Motion, collapse_curve\n"
-        'case = study_case("W1")\n'
+        'case = Case.configured("W1")\n'
         'good = collapse_curve(case, Motion.named("RRS228"), "neg")\n'
         'bad = collapse_curve(case, "RRS228", "neg")\n'
         'worse = collapse_curve(case, Motion.named("RRS228"), "up")\n'

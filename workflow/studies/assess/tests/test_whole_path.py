@@ -37,9 +37,10 @@ facade:
   thickness_m: {B}
   width_m: 4.0
   density_kg_m3: 1700
+  courses: 0
   ties: [{{height_m: {FOOT}, count: 2, diameter_mm: 16, length_m: 3.0, anchor_kn: 60}}]
 damping: {{law: value, beta_s: 0.001}}
-smdof: {{n_dof: 2, period_s: 0.2}}
+smdof: {{n_dof: 2, period_s: 0.2, base_shear_ratio: null}}
 ida: {{max_pga_g: 1.5}}
 assessment: {{confidence_factor: 1.2, ag_g: {AG}, f0: {F0}, tc_star_s: {TC_STAR}, soil: B,
   motions: 7, yade_histories: 2, dynamic_realisations: 0, resamples: 100}}
@@ -334,7 +335,7 @@ def test_an_italian_report_has_the_same_numbers_and_computes_nothing_anew(italia
     swapped = str.maketrans(",.", ".,")
     cells = '<td class="number">([^<]*)<'
     numbers = [re.findall(cells, text) for text in (english, other)]
-    assert len(numbers[0]) > 400
+    assert len(numbers[0]) > 200
     own = [text for text in numbers[0] if text.count(".") < 2]  # no numbers of formulas
     assert [text.translate(swapped) for text in numbers[1] if text.count(".") < 2] == own
     assert '<html lang="it">' in other
@@ -349,6 +350,7 @@ def test_an_italian_report_has_no_english_but_names(italian):
     drawn = " ".join(re.findall("<text[^>]*>([^<]*)<", drawn))
     assert "spostamento" in drawn
     body = re.sub("(?s)<style>.*?</style>|<p>Fonte: .*?</p>", "", text)
+    body = re.sub(">it<", "><", body)  # the value of assessment.language
     body = NAMES.sub(" ", re.sub("<[^>]+>", " ", body) + drawn)
     words = {word.lower() for word in re.findall(r"\b[A-Z]?[a-zà-ù]+\b", body)}
     assert words & ENGLISH_WORDS == set()
