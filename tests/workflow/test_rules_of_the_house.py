@@ -113,11 +113,11 @@ def test_what_a_study_runs_in_yade_stands_on_numpy_and_yade_scripts_alone():
     [
         ("import yade.wrapper as w", {"yade"}),
         ("def late():\n    from rocking.records import load", {"rocking"}),
-        ("import importlib\nimportlib.import_module('rocking.risk')", {"rocking"}),
+        ("import importlib\nimportlib.import_module('rocking.runs')", {"rocking"}),
         ("from importlib import import_module as i\nfrom . import own\nimport os.path", set()),
-        ("from importlib import import_module as i\ni('rocking.risk')", {"rocking"}),
-        ("import importlib as i\ni.import_module(name='rocking.risk')", {"rocking"}),
-        ("__import__('rocking.risk')", {"rocking"}),
+        ("from importlib import import_module as i\ni('rocking.runs')", {"rocking"}),
+        ("import importlib as i\ni.import_module(name='rocking.runs')", {"rocking"}),
+        ("__import__('rocking.runs')", {"rocking"}),
         ("import numpy as np, scipy.linalg", {"numpy", "scipy"}),
     ],
 )

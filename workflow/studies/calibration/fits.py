@@ -6,10 +6,10 @@ import numpy as np
 import pandas as pd
 from rocking.mechanics import beta as calibration
 from rocking.mechanics import closed_forms
-from rocking.mechanics.restitution import TARGETS, misfit, read_archive
 
 from studies.calibration import free_rocking as study
 from studies.calibration.laws import GROUPS
+from studies.shared.restitution import TARGETS, misfit, read_archive
 from yade_scripts.files import read_json
 
 COLUMNS = (

@@ -1,7 +1,8 @@
 """The hazard curve that a run states."""
 
 from rocking.records.errors import RecordError
-from rocking.risk.hazard import HazardError, read_hazard
+
+from studies.shared.hazard import HazardError, read_hazard
 
 
 def stated_hazard(resolved, find):

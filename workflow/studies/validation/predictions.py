@@ -32,11 +32,11 @@ import yaml
 from rocking.collapse.scan import driving
 from rocking.collapse.yade import run_yade
 from rocking.configuration.config import ConfigError
-from rocking.mechanics.restitution import read_archive
 from rocking.records import load
 from rocking.solver import Motions, history, peaks, to_plane
 from rocking.tables import read_frame, write_json
 
+from studies.shared.restitution import read_archive
 from studies.validation import specimens
 from studies.validation.predicted_motions import SUITE, foot_and_top_files, shifted, table_motion
 from studies.validation.study import (

@@ -3,11 +3,11 @@
 from pathlib import Path
 
 import numpy as np
-from rocking.risk.fragility import Fragility
-from rocking.risk.hazard import imt_of
-from rocking.risk.nrml import document
 from rocking.runtime.script import run
 from rocking.tables import read_frame
+from studies.shared.fragility import Fragility
+from studies.shared.hazard import imt_of
+from studies.shared.nrml import document
 
 
 def main(job):

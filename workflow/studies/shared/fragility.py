@@ -17,9 +17,8 @@ is the binomial likelihood of Shinozuka et al. (2000) and Baker (2015, Earthquak
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import log_ndtr, ndtr, ndtri
-
 from rocking.stations import interval, resampled
+from scipy.special import log_ndtr, ndtr, ndtri
 
 MIN_DISPERSION = 0.01  # brackets that all overlap would let it go to zero
 MAX_DISPERSION = 5.0

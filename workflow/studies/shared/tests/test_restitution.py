@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from rocking.mechanics import closed_forms, restitution
-from rocking.mechanics.restitution import e_exp, e_one_sided, misfit, rebounds
+from rocking.mechanics import closed_forms
+from studies.shared import restitution
+from studies.shared.restitution import e_exp, e_one_sided, misfit, rebounds
 
 P = 4.27  # 1/s, of a wall 0.8 m high
 

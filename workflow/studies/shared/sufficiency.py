@@ -13,7 +13,6 @@ and different X do not collapse alike.
 from dataclasses import dataclass
 
 import numpy as np
-
 from rocking.records import G_M_S2, measures
 from rocking.stations import interval, resampled
 

@@ -16,10 +16,10 @@ there is stated. Collapse within t years has the probability 1 − exp(−λ_c t
 """
 
 import numpy as np
+from rocking.collapse.equivalent import cells
 from scipy.special import ndtr
 
-from rocking.collapse.equivalent import cells
-from rocking.risk.fragility import log_mass
+from studies.shared.fragility import log_mass
 
 
 def _pieces(hazard, edges):

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-
 from rocking.mechanics import closed_forms
 
 IMPACTS = 3  # of the study's criterion

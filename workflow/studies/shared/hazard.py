@@ -17,7 +17,6 @@ import re
 from dataclasses import dataclass
 
 import numpy as np
-
 from rocking.records.intensity_measures import MEASURES
 from rocking.records.text import comma_hint, read_text
 
