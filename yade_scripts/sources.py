@@ -13,6 +13,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = {
     "yade_scripts": ROOT / "yade_scripts",
     "smdof": ROOT / "smdof",
+    "record_files": ROOT / "record_files",
     "rocking": ROOT / "workflow" / "rocking",
     "studies": ROOT / "workflow" / "studies",
 }

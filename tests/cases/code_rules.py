@@ -33,7 +33,7 @@ OF_YAML = re.compile(r"yaml\.(\w+\.)*C?(Unsafe|Full)?(Loader|Constructor)")  # t
 STARTS = ("os.exec", "os.spawn")  # os.execv, os.spawnl, …
 OFF = ("shell", "allow_pickle")  # keywords that stay False
 IMPORT = "importlib.import_module"  # of a text that begins as the project's modules do
-OWN = ("rocking.", "smdof.", "studies.", "yade_scripts.")
+OWN = ("record_files.", "rocking.", "smdof.", "studies.", "yade_scripts.")
 # modules whose names are looked up in the source, not by a text, under no second name
 LOOKED_INTO = ("os", "sys", "builtins", "subprocess", "importlib", "yaml")
 SHELLS = re.compile(r"(.*/)?(env|(ba|da|z|k|c)?sh|python[\d.]*)")

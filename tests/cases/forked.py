@@ -142,7 +142,7 @@ def _plan_ahead():
     importlib.import_module("snakemake.cli").get_argument_parser()
     for path in (*ROOT.glob("workflow/rules/*.smk"), *ROOT.glob("workflow/studies/*/*.smk")):
         for name in re.findall(
-            r"(?m)^from ((?:rocking|smdof|studies|yade_scripts)[\w.]*) import",
+            r"(?m)^from ((?:record_files|rocking|smdof|studies|yade_scripts)[\w.]*) import",
             path.read_text("utf-8"),
         ):
             importlib.import_module(name)

@@ -249,7 +249,7 @@ def single_column():
 
 def packed():
     """Return a file whose damage shows in a check sum, not in the damaged line."""
-    from rocking.records.formats.packed import FIRST, pack
+    from record_files.packed import FIRST, pack
 
     a, lines = motion(), [FIRST, "source: made up", "licence: none", "motions: 2"]
     for scale, label in ((1, "A NS"), (2, "A UD")):

@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parents[2]
 OTHERS = [ROOT / "setup.py", ROOT / "docs" / "conf.py"]
 SOURCES = OTHERS + sorted(
     path
-    for top in ("smdof", "yade_scripts", "workflow", "tools", "docs/examples")
+    for top in ("smdof", "record_files", "yade_scripts", "workflow", "tools", "docs/examples")
     for path in (ROOT / top).rglob("*.py")
     if "__pycache__" not in path.parts
 )

@@ -19,13 +19,13 @@ LONGEST, MOST = 60, 8  # lines of a function, its arguments
 COMPILED = {"compiled", "inlined"}  # loops in which numba takes no objects
 KEYS, RULES = 170, 90
 STOPS, CLIMBS = 12, 3
-PACKAGES = {"smdof", "yade_scripts", "rocking"}
+PACKAGES = {"smdof", "record_files", "yade_scripts", "rocking"}
 APART = {"tests", "trials", "__pycache__"}
 
 
 def sources():
     """Files of the project that are no tests."""
-    for top in ("smdof", "yade_scripts", "workflow", "tools", "docs"):
+    for top in ("smdof", "record_files", "yade_scripts", "workflow", "tools", "docs"):
         for path in sorted((ROOT / top).rglob("*.py")):
             if not APART & {*path.parts} and not path.name.startswith("test_"):
                 yield path

@@ -5,7 +5,7 @@ from collections import defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-TOPS = {"smdof": ROOT, "yade_scripts": ROOT, "rocking": ROOT / "workflow"}
+TOPS = {"smdof": ROOT, "record_files": ROOT, "yade_scripts": ROOT, "rocking": ROOT / "workflow"}
 TOPS["studies"] = ROOT / "workflow"
 ROOMS = 16  # packages of the core, in the first two levels
 APART = {"scripts", "tests", "trials"}  # of a study: run, and imported by nobody

@@ -19,15 +19,16 @@ NAMES = [path.parent.name for path in ROOT.glob("workflow/studies/*/rules.smk")]
 # outside packages that each may import, beside Python's own and what it stands on
 MAY = {
     "smdof": {"numpy", "scipy"},
+    "record_files": {"numpy"},
     "yade_scripts": {"numpy"},
     "workflow/studies": {
         *("numpy", "scipy", "pandas", "matplotlib", "yaml", "pytest"),
         *("jinja2", "markupsafe", "meshio", "weasyprint"),
-        *("smdof", "yade_scripts", "rocking", "studies"),
+        *("smdof", "record_files", "yade_scripts", "rocking", "studies"),
     },
     "workflow/scripts": {
         *("numpy", "scipy", "pandas", "matplotlib"),
-        *("smdof", "yade_scripts", "rocking"),
+        *("smdof", "record_files", "yade_scripts", "rocking"),
     },
     "workflow/rocking": {
         *(
@@ -42,7 +43,7 @@ MAY = {
             "PIL",
         ),
         *("pygments",),
-        *("smdof", "yade_scripts", "rocking"),
+        *("smdof", "record_files", "yade_scripts", "rocking"),
     },
 }
 # files that take more, and why

@@ -15,6 +15,7 @@ from numbers import Real
 from os import PathLike
 from typing import Any
 
+from record_files.reader import nearest
 from rocking.collapse.frozen import frozen
 from rocking.configuration import config as configuration
 from rocking.configuration import refusals, schema
@@ -23,7 +24,6 @@ from rocking.configuration.files import read_yaml
 from rocking.configuration.storeys import check_storeys
 from rocking.fidelity import choose, read_fidelity
 from rocking.mechanics.beta import LAW_FILE, RangeWarning, beta_and_range, beta_for
-from rocking.records.reader import nearest
 from rocking.shipped import found
 from yade_scripts.files import read_json
 from yade_scripts.model import registry

@@ -1,7 +1,6 @@
 """The hazard curve that a run states."""
 
-from rocking.records.errors import RecordError
-
+from record_files.errors import RecordError
 from studies.shared.hazard import HazardError, read_hazard
 
 

@@ -18,7 +18,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from rocking.records.intensity_measures import MEASURES
-from rocking.records.text import comma_hint, read_text
+
+from record_files.text import comma_hint, read_text
 
 RATE = "annual_rate"
 LONGEST = 10_000  # rows of a table, or sites of an export

@@ -14,9 +14,9 @@ or two lines, one with each. Units are in a line above it: "IN UNITS OF G", "The
 
 import re
 
-from ..text import gridded_block, parse_count, parse_number
 from .channel import Channel
 from .header import NUMBER, is_numbers, stated_counts, stated_step, stated_unit
+from .text import gridded_block, parse_count, parse_number
 
 HEADING = 20  # lines within which NPTS is looked for
 _COUNT = re.compile(r"\bNPTS\b\s*[=:]?\s*(\d+)\b(?!\.)", re.I)

@@ -7,9 +7,9 @@ checked for their number and left aside. (GeoNet, "Strong motion file formats".)
 
 import re
 
-from ..record import unit_name
-from ..text import fixed_block, parse_count, parse_number
 from .channel import Channel
+from .text import fixed_block, parse_count, parse_number
+from .units import unit_name
 
 TEXT_LINES, INTEGER_LINES, REAL_LINES = 16, 4, 6
 MAX_CHANNELS = 30

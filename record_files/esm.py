@@ -6,9 +6,9 @@ state SAMPLING_INTERVAL_S, NDATA, UNITS and PGA_CM/S^2.
 
 import re
 
-from ..record import unit_name
-from ..text import free_block, parse_count, parse_number
 from .channel import Channel
+from .text import free_block, parse_count, parse_number
+from .units import unit_name
 
 MAX_HEADER = 200
 _KEY = re.compile(r"([A-Z][A-Z0-9_/^]*)\s*:(.*)")

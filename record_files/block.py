@@ -11,8 +11,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..text import MAX_SAMPLES, parse_number
 from .header import NUMBER, is_numbers
+from .text import MAX_SAMPLES, parse_number
 
 MAX_COLUMNS = 64
 MAX_HEADING = 500

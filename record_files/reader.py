@@ -13,7 +13,7 @@ import numpy as np
 
 from .errors import RecordError
 from .formats import FORMATS, WANTS, format_of
-from .formats.header import COARSEST
+from .header import COARSEST
 from .record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, Record, check_plausible, unit_name
 from .text import read_text
 

@@ -7,7 +7,7 @@ what its spelling says, in any case, with or without blanks, accents and supersc
 import re
 import unicodedata
 
-from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2 as G_M_S2
+G_M_S2 = 9.80665  # standard gravity, in which motions are stated
 
 UNITS_M_S2 = {
     **{"g": G_M_S2, "m/s2": 1.0, "cm/s2": 1e-2, "mm/s2": 1e-3},

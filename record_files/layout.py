@@ -11,13 +11,13 @@ import re
 
 import numpy as np
 
-from ..text import check_last
 from .block import MAX_COLUMNS, once, read_block, values
 from .captions import COMPONENT, TIME, labels_of
 from .declared import MOST, declaration, divides
 from .header import stated_channels, stated_counts, whole_numbers
 from .look import Layout, Look
 from .neighbours import closer
+from .text import check_last
 
 LONG_LINE = 4  # numbers a line from which accelerations in a row are usual
 FEW_LINES = 30  # below it the places along a line differ by chance

@@ -21,11 +21,12 @@ import zlib
 
 import numpy as np
 
-from ..record import SHIPPED, unit_name
-from ..text import MAX_SAMPLES
 from .channel import Channel
+from .text import MAX_SAMPLES
+from .units import unit_name
 
 FIRST = "ROCKING MOTIONS 1"
+SHIPPED = "recorded, shipped"  # a recording that comes with the project
 RESOLUTION = 1e-4  # of a motion's peak
 MAX_MOTIONS = 1000
 WIDTH = 120

@@ -20,6 +20,7 @@ MAX_BYTES = 64 * 2**20
 MAX_LINES = 2_000_000
 MAX_LINE_CHARACTERS = 10_000
 MAX_SAMPLES = 2_000_000
+MIN_DT_S, MAX_DT_S = 1e-4, 0.1  # of a recording
 
 _CONTROL = re.compile(rb"[\x00-\x08\x0b\x0e-\x1f\x7f]")
 _FORTRAN = re.compile(r"(\d\.?)[dD]([-+]?\d)")  # 1.5D-03

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 import record_samples as samples
 from rocking.records import detect, integrate, read_record
-from rocking.records.formats import FORMATS
-from rocking.records.reader import _detect
-from rocking.records.text import text_from_bytes
+
+from record_files import FORMATS
+from record_files.reader import _detect
+from record_files.text import text_from_bytes
 
 FILES = Path(__file__).parents[3] / "shared" / "formats"
 REAL = {  # file: (format, component, step, samples)

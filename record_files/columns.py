@@ -11,12 +11,12 @@ import re
 
 import numpy as np
 
-from ..record import unit_name
 from .block import once
 from .captions import TIME_UNITS
 from .channel import Channel
 from .header import Said, heading_component, heading_unit, stated_steps, stated_unit
 from .layout import kind_of, layout
+from .units import unit_name
 
 __all__ = ["kind_of", "read_columns", "read_single", "read_wrapped", "uniform_step"]
 

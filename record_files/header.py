@@ -9,8 +9,8 @@ differently, or of something else than acceleration, is a reason to refuse.
 import re
 from dataclasses import dataclass
 
-from ..record import MAX_DT_S, MIN_DT_S
-from ..units import UNITS_M_S2, WITHIN, no_acceleration, plain, unit_name
+from .text import MAX_DT_S, MIN_DT_S
+from .units import UNITS_M_S2, WITHIN, no_acceleration, plain, unit_name
 
 NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 LONG = 200  # characters of a heading line that are looked at

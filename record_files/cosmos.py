@@ -10,9 +10,9 @@ displacement blocks or channels are skipped.
 
 import re
 
-from ..record import unit_name
-from ..text import fixed_block, parse_count, parse_number
 from .channel import Channel, channels
+from .text import fixed_block, parse_count, parse_number
+from .units import unit_name
 
 MAX_HEADING = 200
 _FIRST = re.compile(r"\(Format v[\d.]+ with\s+(\d{1,3}) text lines\)", re.I)

@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 import record_samples as samples
 from record_samples import put, read, refusal
-from rocking.records import RecordError, read_record
-from rocking.records.record import unit_name
+
+from record_files import RecordError, read_record
+from record_files.units import G_M_S2, unit_name
+from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 
 
 def test_motion_comes_back(tmp_path, sample):
@@ -204,3 +206,7 @@ def test_a_k_net_channel_is_found_by_its_azimuth(tmp_path, label, azimuth_deg):
     )
     with pytest.raises(RecordError):
         read_record(path, component=str(90 - azimuth_deg))
+
+
+def test_the_unit_g_is_the_gravity_in_which_scenes_are_shaken():
+    assert G_M_S2 == STANDARD_GRAVITY_M_S2

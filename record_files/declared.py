@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from ..record import MAX_DT_S, MIN_DT_S
+from .text import MAX_DT_S, MIN_DT_S
 
 MOST = 12  # channels one after another
 

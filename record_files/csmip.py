@@ -16,12 +16,12 @@ import re
 
 import numpy as np
 
-from ..record import unit_name
-from ..text import fixed_block, parse_count, parse_number
 from .at2 import azimuth
 from .channel import Channel, channels
 from .columns import uniform_step
 from .header import stated_unit
+from .text import fixed_block, parse_count, parse_number
+from .units import unit_name
 
 _DATA = re.compile(
     r"\s*(\d+) POINTS OF (ACC|VEL|DIS)[A-Z]* DATA EQUALLY SPACED AT\s+([\d.]+)\s+SEC[.,]"

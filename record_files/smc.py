@@ -8,8 +8,8 @@ ACCELEROGRAM"; of a file that calls its kind UNKNOWN the heading's "pk acc" says
 
 import re
 
-from ..text import fixed_block, parse_count, parse_number
 from .channel import Channel
+from .text import fixed_block, parse_count, parse_number
 
 TEXT_LINES, INTEGER_LINES, REAL_LINES = 11, 6, 10
 MAX_COMMENTS = 10_000

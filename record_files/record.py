@@ -9,6 +9,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .errors import RecordError
+from .packed import SHIPPED
+from .text import MAX_DT_S, MIN_DT_S
 from .units import G_M_S2, UNITS_M_S2, unit_name
 
 __all__ = [
@@ -24,9 +26,7 @@ __all__ = [
 ]
 
 MIN_PGA_G, MAX_PGA_G = 1e-5, 5.0  # the strongest motions recorded reach about 4 g in vector sum
-MIN_DT_S, MAX_DT_S = 1e-4, 0.1
 
-SHIPPED = "recorded, shipped"  # a recording that comes with the project
 SOURCES = ("file", SHIPPED, "surrogate")
 
 

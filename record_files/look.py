@@ -4,8 +4,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..text import Text
 from .block import NumberBlock
+from .text import Text
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,8 @@ import re
 
 import numpy as np
 
-from ..text import MAX_SAMPLES, gridded_block, parse_number
 from .channel import Channel
+from .text import MAX_SAMPLES, gridded_block, parse_number
 
 HEADER = 17
 _SCALE = re.compile(r"([\d.]+)\(gal\)/([\d.]+)")
