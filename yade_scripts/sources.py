@@ -14,6 +14,7 @@ PACKAGES = {
     "yade_scripts": ROOT / "yade_scripts",
     "smdof": ROOT / "smdof",
     "record_files": ROOT / "record_files",
+    "reference_solver": ROOT / "reference_solver",
     "rocking": ROOT / "workflow" / "rocking",
     "studies": ROOT / "workflow" / "studies",
 }

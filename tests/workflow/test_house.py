@@ -7,25 +7,26 @@ from collections import defaultdict
 from pathlib import Path
 
 import pytest
+from code_rules import TOPS
 from rocking.collapse.case import Case
 from rocking.configuration import schema
 from rocking.configuration.config import resolve
 
 from yade_scripts.model import models, registry
 from yade_scripts.model.facades import Facade
+from yade_scripts.sources import PACKAGES
 
 ROOT = Path(__file__).resolve().parents[2]
 LONGEST, MOST = 60, 8  # lines of a function, its arguments
 COMPILED = {"compiled", "inlined"}  # loops in which numba takes no objects
 KEYS, RULES = 170, 90
 STOPS, CLIMBS = 12, 3
-PACKAGES = {"smdof", "record_files", "yade_scripts", "rocking"}
 APART = {"tests", "trials", "__pycache__"}
 
 
 def sources():
     """Files of the project that are no tests."""
-    for top in ("smdof", "record_files", "yade_scripts", "workflow", "tools", "docs"):
+    for top in (*TOPS, "docs"):
         for path in sorted((ROOT / top).rglob("*.py")):
             if not APART & {*path.parts} and not path.name.startswith("test_"):
                 yield path

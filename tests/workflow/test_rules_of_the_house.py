@@ -20,11 +20,12 @@ NAMES = [path.parent.name for path in ROOT.glob("workflow/studies/*/rules.smk")]
 MAY = {
     "smdof": {"numpy", "scipy"},
     "record_files": {"numpy"},
+    "reference_solver": {"numpy", "scipy", "yade_scripts", "rocking"},
     "yade_scripts": {"numpy"},
     "workflow/studies": {
         *("numpy", "scipy", "pandas", "matplotlib", "yaml", "pytest"),
         *("jinja2", "markupsafe", "meshio", "weasyprint"),
-        *("smdof", "record_files", "yade_scripts", "rocking", "studies"),
+        *("smdof", "record_files", "reference_solver", "yade_scripts", "rocking", "studies"),
     },
     "workflow/scripts": {
         *("numpy", "scipy", "pandas", "matplotlib"),
@@ -57,7 +58,7 @@ MORE = {
     "workflow/rocking/runtime/warm.py": {"snakemake"},  # what it starts
     "workflow/rocking/runtime/made_of.py": {"snakemake"},  # what it tells which files are stale
     "workflow/rocking/start.py": {"snakemake"},  # what it starts
-    "workflow/rocking/compile_ahead.py": {"snakemake"},  # loaded once, to be compiled
+    "workflow/rocking/compile_ahead.py": {"snakemake", "reference_solver"},  # to be compiled
 }
 
 

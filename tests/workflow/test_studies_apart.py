@@ -16,7 +16,14 @@ ROOT = Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "workflow" / "studies"
 NAMES = sorted(path.parent.name for path in STUDIES.glob("*/rules.smk"))
 SHARED = "shared"  # what several studies stand on; no study
-CORE = ("smdof", "record_files", "yade_scripts", "workflow/rocking", "workflow/scripts")
+CORE = (
+    "smdof",
+    "record_files",
+    "reference_solver",
+    "yade_scripts",
+    "workflow/rocking",
+    "workflow/scripts",
+)
 CORE += ("tools", "tests")
 LIMIT_S = 300.0
 

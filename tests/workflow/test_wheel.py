@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-PACKAGES = {name: name for name in ("smdof", "record_files", "yade_scripts")}
+PACKAGES = {name: name for name in ("smdof", "record_files", "reference_solver", "yade_scripts")}
 PACKAGES["rocking"] = "workflow/rocking"
 IMPORT = """
 import importlib, sys

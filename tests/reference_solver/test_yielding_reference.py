@@ -2,8 +2,8 @@
 
 import pytest
 from rocking import Motion, history
-from rocking.reference.facade import answers
 
+from reference_solver.facade import answers
 from tests.cases import yielding_cases
 
 

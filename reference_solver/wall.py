@@ -5,9 +5,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.polynomial import legendre
-from scipy.optimize import brentq
-
 from rocking.mechanics.closed_forms import block
+from scipy.optimize import brentq
 
 
 def rule(kind, count):

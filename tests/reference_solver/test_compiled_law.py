@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 from planar_cases import facade, rate, sorrentino
-from rocking.reference import simulate
-from rocking.reference.contact import (
+from scipy.integrate import solve_ivp
+
+from reference_solver import simulate
+from reference_solver.contact import (
     OMEGA,
     SLIP,
     THETA,
@@ -14,7 +16,6 @@ from rocking.reference.contact import (
     Z,
     initial,
 )
-from scipy.integrate import solve_ivp
 
 
 def plain_rates(wall, state, base, u, v):

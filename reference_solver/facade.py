@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocking.reference import Steps, SupportTable, Wall, simulate_batch
-from rocking.reference.stack import StackSolver
+from reference_solver import Steps, SupportTable, Wall, simulate_batch
+from reference_solver.stack import StackSolver
 from yade_scripts.model import base, floor_motions, registry, yielding
 from yade_scripts.model.facades import Facade
 from yade_scripts.model.models import build_scene

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 from planar_cases import facade
-from rocking.reference import SupportTable, integrate
-from rocking.reference.motion import integrate_linear
+
+from reference_solver import SupportTable, integrate
+from reference_solver.motion import integrate_linear
 
 
 def test_the_scheme_is_of_fifth_order_with_a_fourth_beside_it():

@@ -13,7 +13,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-
 from rocking.runtime.compiled import compiled
 
 # entries of the state

@@ -4,7 +4,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-
 from rocking.runtime.compiled import compiled
 
 from .contact import (

@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 from planar_cases import facade, rate, sorrentino
 from rocking.mechanics import closed_forms as cf
-from rocking.reference import Steps, SupportTable, Wall, simulate, simulate_batch
-from rocking.reference.adaptive import run
-from rocking.reference.contact import (
+from sliding_block import sliding_response
+
+from reference_solver import Steps, SupportTable, Wall, simulate, simulate_batch
+from reference_solver.adaptive import run
+from reference_solver.contact import (
     SLIP,
     THETA,
     Y,
@@ -17,11 +19,9 @@ from rocking.reference.contact import (
     law_of,
     penetration,
 )
-from rocking.reference.integrate import COLUMNS, Control
-from rocking.reference.motion import integrate_linear
-from rocking.reference.wall import rule
-from sliding_block import sliding_response
-
+from reference_solver.integrate import COLUMNS, Control
+from reference_solver.motion import integrate_linear
+from reference_solver.wall import rule
 from smdof import floor_motions
 from yade_scripts.model.quadrature import gauss_lobatto
 

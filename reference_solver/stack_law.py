@@ -15,7 +15,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-
 from rocking.runtime.compiled import inlined, looped
 
 summed = functools.partial(inlined, fastmath={"reassoc", "contract", "nsz"})  # sums as vectors
