@@ -153,7 +153,7 @@ def _after_word(line):
 
 
 def _scaled(before, words, after):
-    """`Said` by a unit within words; one times a factor is none that is known."""
+    """`Said` by a unit within words; a unit times a factor is not known."""
     factor = re.search(r"\d\s*[x*]?\s*$", before) or re.match(r"[)\]\s]*[x*×]\s*\d", after)
     if factor:
         return Said(None, f"the heading states {words!r} with a factor")

@@ -1,4 +1,4 @@
-"""Units of acceleration: their names, their values in m/s², and what is none.
+"""Units of acceleration: their names, their values in m/s², and words that are no unit.
 
 One grammar for the column `units` of a table, the captions of columns and free headings: a unit is
 what its spelling says, in any case, with or without blanks, accents and superscripts.
@@ -61,7 +61,7 @@ def plain(text):
 
 
 def _kind(text):
-    """Name of the spelling that a word is, and its match; (None, None) where it is none."""
+    """Name of the spelling that a word is, and its match; (None, None) for no unit."""
     word = " ".join(plain(text).split()).strip(" .,;:")
     found = ((name, form.fullmatch(word)) for name, form in _WHOLE.items())
     return next(((name, match) for name, match in found if match), (None, None))

@@ -41,7 +41,7 @@ def _package(path):
 def names(files):
     """Dotted names of those files that are modules of the project, sorted.
 
-    A script of a rule is none, wherever it lies: to import it would run it.
+    The script of a rule is left out, wherever it lies: to import it would run it.
     """
     found = []
     for path in map(Path, files):

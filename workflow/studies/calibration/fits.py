@@ -50,7 +50,7 @@ def printed(facade):
 
 
 def remark_on(fit, nowhere, at_edge):
-    """Words on a fit that is none, or that lies at an end."""
+    """Words on a fit that failed, or that lies at an end of the range."""
     if not math.isfinite(fit["beta_s"]):
         return nowhere
     return at_edge if fit["at_edge"] else ""

@@ -197,7 +197,7 @@ def _export(path, lines, period_s, site):
         probability = _number(path, line, row[i], f"poe-{name}")
         if not 0.0 <= probability <= 1.0:
             raise _fault(path, line, f"poe-{name} is {probability:g}; expected 0 to 1")
-        if 0.0 < probability < 1.0:  # else its rate is none or unbounded
+        if 0.0 < probability < 1.0:  # else its rate is 0 or unbounded
             level = _number(path, 2, name, "poe-<intensity>")
             points.append((line, level, -np.log1p(-probability) / years))
     return _curve(path, measure, points)

@@ -290,7 +290,7 @@ def score(folder):
     foreseen is the sum of probabilities; brier the mean of (probability − outcome)², 0.25 for a
     coin; likelihood the geometric mean of the probability of what happened, with one more stand and
     fall than was computed, so that a member less or more does not make it 0. ConfigError if the
-    stated parameters or the table were changed, or an outcome is none.
+    stated parameters or the table were changed, or an outcome is no number.
     """
     folder = Path(folder)
     for name, same in unchanged(folder).items():

@@ -15,7 +15,7 @@ def main(job):
     table = read_frame(job.input.fragility)
     known = np.isfinite(table["median"]) & np.isfinite(table["dispersion"])
     table = table[(table["im"] == w.im) & known]
-    if table.empty:  # a fragilityModel without a function is none
+    if table.empty:  # OpenQuake takes no fragilityModel without a function
         Path(job.output[0]).write_text(
             "<!-- no motion felled the facade: no fragility function -->\n", encoding="utf-8"
         )
