@@ -5,6 +5,7 @@ from pathlib import Path
 
 from rocking.formula import yielding
 from rocking.formula.law import NOT_FOR
+
 from yade_scripts.model.gravity import GRAVITY_M_S2
 
 TEMPLATE = Path(__file__).with_name("page.html")
