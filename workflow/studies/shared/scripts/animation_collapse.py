@@ -5,9 +5,10 @@ import json
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.animation import FuncAnimation, PillowWriter
-from rocking.figures import pictures, style
+from rocking.figures import style
 from rocking.runtime.script import run
 from rocking.tables import read_json
+from studies.shared import drawings
 
 from yade_scripts.model.registry import MODELS
 
@@ -30,7 +31,7 @@ def main(job):
     time_s, d = np.array(frames["time_s"]), np.array(frames["d_over_b"])
     shown = window(frames)
     walls, h = config["return_wall"]["count"], config["facade"]["height_m"]
-    look = pictures.FrameLook(config["facade"]["thickness_m"], ((-3.4, 4.6), (-0.7, h + 0.9)))
+    look = drawings.FrameLook(config["facade"]["thickness_m"], ((-3.4, 4.6), (-0.7, h + 0.9)))
     figure, (left, right) = plt.subplots(1, 2, figsize=(6.4, 4.0), width_ratios=(1.35, 1.0), dpi=90)
     right.plot(time_s, d, color=style.GREY, lw=0.8)
     right.axhline(1.0, color="k", ls=":", lw=0.8)
@@ -48,7 +49,7 @@ def main(job):
     def update(k):
         i = shown[k]
         left.clear()
-        pictures.draw(left, frames, i, walls, config, look)
+        drawings.draw(left, frames, i, walls, config, look)
         left.set_title(f"t = {time_s[i]:.2f} s, d/b = {d[i]:.2f}")
         line.set_data(time_s[: i + 1], d[: i + 1])
         dot.set_data([time_s[i]], [d[i]])

@@ -69,4 +69,4 @@ rule animation_collapse:
     params:
         config=RUNS.params_of("facade", "return_wall", "w3", "pictures"),
     script:
-        str(BASE / "workflow/scripts/history/animation_collapse.py")
+        str(STUDIES / "shared" / "scripts" / "animation_collapse.py")
