@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parents[2]
 OTHERS = [ROOT / "setup.py", ROOT / "docs" / "conf.py"]
 SOURCES = OTHERS + sorted(
     path
-    for top in (*TOPS, "docs/examples")
+    for top in (*TOPS, "docs/drawings", "docs/examples")
     for path in (ROOT / top).rglob("*.py")
     if "__pycache__" not in path.parts
 )

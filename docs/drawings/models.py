@@ -1,6 +1,6 @@
 """Draws docs/pictures/models.svg: what drives what, what can be pushed and what is glued.
 
-    python tools/draw_models.py
+    python docs/drawings/models.py
 
 A side view of each model, outward to the left. The page docs/models.md explains it in words.
 """
@@ -14,7 +14,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.patches import FancyArrowPatch, Patch, Rectangle
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT)]
 
 from yade_scripts.model.registry import COMPLETE, MODELS  # noqa: E402

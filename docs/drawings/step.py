@@ -1,6 +1,6 @@
 """Draws docs/pictures/step.svg: what one step of the compiled planar solver does.
 
-    python tools/draw_step.py
+    python docs/drawings/step.py
 
 Left the façade and what acts on it, right the same step in time. The page docs/solver.md explains
 it in words; the numbers in circles are those of its list.
@@ -15,7 +15,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import FancyArrowPatch, Polygon, Rectangle
 
-PICTURE = Path(__file__).resolve().parent.parent / "docs" / "pictures" / "step.svg"
+PICTURE = Path(__file__).resolve().parents[1] / "pictures" / "step.svg"
 FACADE, WALL, CHAIN, FORCE, GROUND = "#C9826B", "#7FB3D5", "#1F4E79", "#D55E00", "0.85"
 HEIGHT, THICKNESS, TILT, NODES = 4.0, 0.7, 0.075, 9
 
