@@ -11,7 +11,7 @@ courses, each 1.5 times as high as the one below. Motions of stations that chose
 step (`MOTIONS`), cut to their strong part, in both directions. Amplitude: a share drawn from 0.3 to
 0.97 of the lowest collapse that a climb of the compiled solver finds.
 
-The yardstick is `rocking.reference.stack` with 65 nodes a joint (`--nodes`), which stand for even
+The yardstick is `reference_solver.stack` with 65 nodes a joint (`--nodes`), which stand for even
 springs; of W2 near collapse they leave 1 %, 129 a tenth of that. A
 history repeats where its peak stands below b and neither 1e-6 of amplitude nor half its step moves
 that by 0.2 %; the compiled solver has no say. Of those that repeat the compiled solver runs at its
@@ -34,10 +34,10 @@ from rocking.collapse import search
 from rocking.collapse.curve import run_by
 from rocking.configuration.schema import ConfigError
 from rocking.configuration.study import as_in_the_study
-from rocking.reference.stack import StackSolver
 from rocking.solver import peaks
 from rocking.tables import write_table
 
+from reference_solver.stack import StackSolver
 from yade_scripts.model.models import build_scene
 from yade_scripts.model.motion import amplitude
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .errors import RecordError
+from record_files.errors import RecordError
 
 MAX_DEGREE = 8
 

@@ -1,7 +1,7 @@
 """The hazard curve that a run states."""
 
-from rocking.records.errors import RecordError
-from rocking.risk.hazard import HazardError, read_hazard
+from record_files.errors import RecordError
+from studies.shared.hazard import HazardError, read_hazard
 
 
 def stated_hazard(resolved, find):
