@@ -11,6 +11,7 @@ keys to that. Beside JSON Schema's own keywords (draft 2020-12) these are unders
 `models`         the value is the name of a model; which, a list of `registry` says; `{models}`
                  in the key's description is what each of them is
 `measures`       the value is the name of an intensity measure; a list without default has all
+`acts_with`      what other keys must be for this one to do anything, see `together`
 `usual`          lowest and highest common value, beyond which a run warns, see `units`
 `pattern_words`  what `pattern` means, for messages
 """

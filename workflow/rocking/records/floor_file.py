@@ -10,6 +10,8 @@ import re
 
 import numpy as np
 
+from yade_scripts.lists import listed
+
 from .errors import RecordError
 from .floor_check import GROUND, VERTICAL, check_floors
 from .formats.captions import TIME_UNITS
@@ -127,7 +129,7 @@ def _check_names(path, columns, labels):
         raise RecordError(f"{path}: no column of the ground's acceleration")
     if floors != list(range(1, len(floors) + 1)):
         raise RecordError(
-            f"{path}: floors {', '.join(map(str, floors))}; expected 1 to {len(floors)}, the "
+            f"{path}: floors {listed(map(str, floors))}; expected 1 to {len(floors)}, the "
             "lowest first"
         )
 

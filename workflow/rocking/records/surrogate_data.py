@@ -6,6 +6,8 @@ from dataclasses import fields
 
 import yaml
 
+from yade_scripts.lists import listed
+
 from .errors import RecordError
 from .reader import nearest
 from .record import MAX_DT_S, MIN_DT_S
@@ -81,7 +83,7 @@ def _spec(where, entry):
 
 def _keys(where, entry, known, required):
     if not isinstance(entry, dict):
-        raise RecordError(f"{where}: expected a mapping with {', '.join(known)}")
+        raise RecordError(f"{where}: expected a mapping with {listed(known)}")
     for key in entry:
         if key not in known:
             raise RecordError(

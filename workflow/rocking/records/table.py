@@ -19,6 +19,8 @@ import os
 import re
 from dataclasses import dataclass, field
 
+from yade_scripts.lists import listed
+
 from .errors import RecordError
 from .formats import FORMATS
 from .reader import nearest
@@ -205,7 +207,7 @@ def _row(text, number, cells):
     missing = [column for column in TARGETS if column not in numbers]
     if own is None and missing:
         raise text.error(
-            number, f"record {name}: no file, and a surrogate needs a value of {', '.join(missing)}"
+            number, f"record {name}: no file, and a surrogate needs a value of {listed(missing)}"
         )
     return Row(
         name,

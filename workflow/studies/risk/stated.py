@@ -3,6 +3,8 @@
 from rocking.records.errors import RecordError
 from rocking.risk.hazard import HazardError, read_hazard
 
+from yade_scripts.lists import listed
+
 
 def stated_hazard(resolved, find):
     """File of the hazard curve that a configuration names, read and found to serve it.
@@ -24,6 +26,6 @@ def stated_hazard(resolved, find):
     if curve.measure not in measures:
         raise HazardError(
             f"risk.hazard: {path} is of {curve.measure}; expected one of fragility.measures"
-            f" ({', '.join(measures)})"
+            f" ({listed(measures)})"
         )
     return path
