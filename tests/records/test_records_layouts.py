@@ -222,6 +222,19 @@ def test_older_prints_of_volume_1(tmp_path, blank):
         np.testing.assert_allclose(record.acceleration_m_s2 / G, a, atol=6e-5)
 
 
+@pytest.mark.parametrize(("lines", "read_as"), [(40, "csmip"), (41, None)])
+def test_a_heading_of_volume_1_ends_within_forty_lines(tmp_path, lines, read_as):
+    first, *rest = volume_1()
+    path = put(tmp_path, first, *["A REMARK"] * (lines - 4), *rest)
+    if read_as:
+        np.testing.assert_allclose(
+            read_record(path, component="EW").acceleration_m_s2 / G, A, atol=6e-5
+        )
+    else:
+        with pytest.raises(RecordError, match="line 41: channel without 'POINTS OF ACCEL"):
+            read_record(path, component="EW")
+
+
 def test_a_stated_format_is_tried_as_such_and_says_what_it_wanted(tmp_path):
     path = put(tmp_path, *words(A))
     for form in ("csmip", "smc", "knet", "two-column"):
