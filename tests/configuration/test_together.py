@@ -187,6 +187,12 @@ def test_python_is_warned_too():
         Case.configured("W2", {"smdof.base_shear_ratio": None, "smdof.hardening": 0.1})
 
 
+def test_a_free_standing_wall_without_a_model_of_walls_is_read():
+    """Without what is stated the rest may be no configuration."""
+    with pytest.warns(NoEffectWarning, match=r"return_wall\.friction_deg = 20 has no effect"):
+        Case.configured("W1", {"facade.sides": "two", "return_wall.friction_deg": 20.0})
+
+
 def test_conditions_name_keys_that_there_are():
     known = [path for path, _ in leaves(whole())]
     for path, schema in leaves(whole()):
