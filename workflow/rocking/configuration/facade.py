@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rocking.configuration.schema import ConfigError, show
 from rocking.configuration.static_stability import WEAKEST, check_static_stability
+from yade_scripts.lists import listed
 from yade_scripts.model import interlocking, registry
 from yade_scripts.model.base import course_tops
 from yade_scripts.model.facades import ALONG, OWN_KEYS, STUDY, TRIANGLE, Facade, FloorRow, Rods
@@ -55,7 +56,7 @@ def _check_sides(resolved: Mapping) -> None:
     if alone and not set(models) <= set(allowed):
         on = "" if raised else ", and W2 and W2m on a base above the ground alone"
         raise ConfigError(
-            f"models = {show(models)}: expected [{', '.join(allowed)}] with facade.sides = two, "
+            f"models = {show(models)}: expected [{listed(allowed)}] with facade.sides = two, "
             f"since a free-standing façade has no return walls{on}"
         )
     least = raised + (0.0 if alone else facade.height_m)
