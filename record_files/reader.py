@@ -11,6 +11,8 @@ from numbers import Real
 
 import numpy as np
 
+from yade_scripts.lists import listed
+
 from .errors import RecordError
 from .formats import FORMATS, WANTS, format_of
 from .header import COARSEST
@@ -51,9 +53,7 @@ def choose_component(channels, component, path):
     `component` may be empty. A component that fits none, or more than one, is refused
     with the list of what there is.
     """
-    have = ", ".join(
-        f"#{i} {channel.label or '(no name)'!r}" for i, channel in enumerate(channels, 1)
-    )
+    have = listed(f"#{i} {channel.label or '(no name)'!r}" for i, channel in enumerate(channels, 1))
     if component in (None, ""):
         if len(channels) == 1:
             return channels[0]

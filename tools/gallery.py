@@ -31,6 +31,7 @@ from PIL import Image
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT)]
 
+from yade_scripts.lists import listed  # noqa: E402
 from yade_scripts.sources import imports  # noqa: E402
 
 PAGE = ROOT / "docs" / "gallery.md"
@@ -135,7 +136,7 @@ def main():
     if args.study:
         names = re.findall(r"\(pictures/study_([^)]+)\)", STUDY.read_text("utf-8"))
         if missing := [name for name in names if not (args.study / name).is_file()]:
-            sys.exit(f"error: {args.study}: no {', '.join(missing)}; make study makes them")
+            sys.exit(f"error: {args.study}: no {listed(missing)}; make study makes them")
         for name in names:
             shrink(args.study / name, picture := DRAWN_BY.parent / f"study_{name}")
             note(picture)

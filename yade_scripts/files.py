@@ -6,6 +6,8 @@ import os
 import re
 from pathlib import Path
 
+from yade_scripts.lists import listed
+
 OF_A_CASE = ("model", "facade", "numerics")  # what no case file is without
 SIZES = ("height_m", "thickness_m", "width_m", "density_kg_m3", "e_mpa")
 NUMBER = re.compile(r".*_(m|s|g|kg|kg_m3|mpa|pa_m|deg|hz|kn|mm|ratio)")  # keys that name a unit
@@ -21,9 +23,9 @@ def read_json(path, *keys):
     except ValueError as error:
         raise ValueError(f"{path}: not JSON ({error})") from None
     if keys and not isinstance(found, dict):
-        raise ValueError(f"{path}: expected an object with {', '.join(keys)}")
+        raise ValueError(f"{path}: expected an object with {listed(keys)}")
     if missing := [key for key in keys if key not in found]:
-        raise ValueError(f"{path}: no {', '.join(missing)}; expected {', '.join(keys)}")
+        raise ValueError(f"{path}: no {listed(missing)}; expected {listed(keys)}")
     return found
 
 

@@ -222,6 +222,33 @@ def test_older_prints_of_volume_1(tmp_path, blank):
         np.testing.assert_allclose(record.acceleration_m_s2 / G, a, atol=6e-5)
 
 
+@pytest.mark.parametrize(("width", "per_line"), [(8, 10), (9, 8)])
+def test_an_older_print_without_times(tmp_path, width, per_line):
+    """Ten values of 8 characters a line, or eight of 9; its rate stands among the reals."""
+    lines = volume_1()
+    head, ends = lines[:4], [k for k, line in enumerate(lines) if line.startswith("/&")]
+    integers, reals = lines[4:11], [format(100.0, "10.3f") + lines[11][10:], *lines[12:18]]
+    cells = [format(10.0 * v + 0.0001 * (v == 0.0), f"{width}.4f") for v in A]
+    rows = ["".join(cells[i : i + per_line]) for i in range(0, N, per_line)]
+    path = put(tmp_path, *head, *integers, *reals, *rows, lines[ends[0]])
+    record = read_record(path)
+    assert (len(record), record.dt_s, record.units_read) == (N, 0.01, "g/10")
+    np.testing.assert_allclose(record.acceleration_m_s2 / G, A, atol=2e-5)
+
+
+@pytest.mark.parametrize(("lines", "read_as"), [(40, "csmip"), (41, None)])
+def test_a_heading_of_volume_1_ends_within_forty_lines(tmp_path, lines, read_as):
+    first, *rest = volume_1()
+    path = put(tmp_path, first, *["A REMARK"] * (lines - 4), *rest)
+    if read_as:
+        np.testing.assert_allclose(
+            read_record(path, component="EW").acceleration_m_s2 / G, A, atol=6e-5
+        )
+    else:
+        with pytest.raises(RecordError, match="line 41: channel without 'POINTS OF ACCEL"):
+            read_record(path, component="EW")
+
+
 def test_a_stated_format_is_tried_as_such_and_says_what_it_wanted(tmp_path):
     path = put(tmp_path, *words(A))
     for form in ("csmip", "smc", "knet", "two-column"):

@@ -85,20 +85,25 @@ def test_the_check_of_installations_finds(text):
 
 
 def test_everything_that_ci_uses_is_named_by_its_commit():
-    """Read as YAML, at any depth and however it is quoted."""
+    """Read as YAML, at any depth and however it is quoted; a container by its maker's version."""
 
-    def used(node):
+    def said(node, *keys):
         if isinstance(node, dict):
             for key, value in node.items():
-                if key == "uses":
-                    yield value
+                if key in keys:
+                    yield from value.values() if isinstance(value, dict) else [value]
                 else:
-                    yield from used(value)
+                    yield from said(value, *keys)
         elif isinstance(node, list):
             for value in node:
-                yield from used(value)
+                yield from said(value, *keys)
 
     files = sorted((ROOT / ".github").rglob("*.y*ml"))
-    found = [one for path in files for one in used(yaml.safe_load(path.read_text("utf-8")))]
-    assert found
-    assert [one for one in found if not re.fullmatch(r"[\w/.-]+@[0-9a-f]{40}", one)] == []
+    read = [yaml.safe_load(path.read_text("utf-8")) for path in files]
+    used = [one for text in read for one in said(text, "uses")]
+    images = [one for text in read for one in said(text, "container", "image")]
+    assert used
+    assert images
+    assert [one for one in used if not re.fullmatch(r"[\w/.-]+@[0-9a-f]{40}", one)] == []
+    stated = r"debian:\d+(\.\d+)?|[\w./-]+@sha256:[0-9a-f]{64}"
+    assert [one for one in images if not re.fullmatch(stated, one)] == []

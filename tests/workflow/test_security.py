@@ -89,14 +89,17 @@ LOCKS = ("requirements.lock", "requirements-all.lock")
 
 
 def locked(name):
-    """Packages of a lock file with their versions and markers."""
-    return set(re.findall(r"(?m)^([\w.-]+==[^\\]+?) *\\?$", (ROOT / name).read_text("utf-8")))
+    """Hashes of every package of a lock file, by its name, version and marker."""
+    text = (ROOT / name).read_text("utf-8").replace("\\\n", " ")
+    lines = [line for line in text.splitlines() if re.match(r"\S+==", line)]
+    found = [(line.partition(" --hash=")[0].strip(), line.split()[1:]) for line in lines]
+    return {name: {word for word in words if word.startswith("--hash")} for name, words in found}
 
 
 def test_what_is_locked_for_runs_is_locked_for_tests():
     runs, everything = (locked(name) for name in LOCKS)
     assert len(runs) > 20
-    assert runs < everything
+    assert runs.items() < everything.items()
 
 
 @pytest.mark.parametrize("name", LOCKS)
@@ -107,7 +110,17 @@ def test_every_locked_package_has_a_version_and_hashes(name):
     assert len(lines) > 20
     for line in lines:
         assert re.match(r"\S+==\S+ ", line.strip()), line[:80]
-        assert "--hash=sha256:" in line, line[:80]
+        hashes = re.findall(r"--hash=(\S*)", line)
+        assert hashes, line[:80]
+        assert all(re.fullmatch("sha256:[0-9a-f]{64}", one) for one in hashes), line[:80]
+    assert len(locked(name)) == len(lines)
+    packages: dict = {}
+    for line in (line.partition(" --hash=")[0] for line in lines):
+        version, _, condition = line.partition(";")
+        packages.setdefault(re.split("[=[]", version)[0].lower(), []).append(condition.strip())
+    for package, conditions in packages.items():  # twice only for other machines
+        assert len(set(conditions)) == len(conditions), package
+        assert len(conditions) == 1 or all(conditions), package
 
 
 def test_setup_does_not_empty_an_environment_behind_a_link(tmp_path):

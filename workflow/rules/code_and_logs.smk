@@ -15,7 +15,10 @@ def add_code_and_log(rule_):
         rule_.set_log(logs("_".join([rule_.name, *(f"{{{name}}}" for name in wildcards)])))
 
 
-for rule_ in workflow.rules:
-    # not those of a workflow that takes this one as a module
-    if rule_.script and rule_.module_globals is globals():
+# Not those of a workflow that takes this one as a module.
+OWN_RULES = [rule_ for rule_ in workflow.rules if rule_.module_globals is globals()]
+if fault := declarations.made_twice(OWN_RULES):
+    stop(fault)
+for rule_ in OWN_RULES:
+    if rule_.script:
         add_code_and_log(rule_)

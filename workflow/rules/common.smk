@@ -28,6 +28,7 @@ from rocking.records.check import check_runs, reach_g
 from rocking.runtime import (
     cluster,
     command_line,
+    declarations,
     file_times,
     first_page,
     interrupts,
@@ -40,6 +41,7 @@ from rocking.runs import CurveKey, Runs
 from rocking.runs.names import any_of
 from rocking import version
 from yade_scripts.engine import parent_process
+from yade_scripts.lists import listed
 from yade_scripts.model.registry import COMPLETE, MODELS, REFERENCE_MODELS, PUSHED, WITH_WALLS
 
 # the project's folder: where this file is, or, if it was fetched alone as a module, the package's
@@ -92,7 +94,7 @@ RUNS.refuse(FINDINGS)
 if workflow.is_main_process and "check" not in sys.argv:  # that target says so itself
     terminal.warn([str(f) for f in FINDINGS if f.status == "warning"])
 if workflow.is_main_process:
-    terminal.warn(unlikely.lines(RUNS.settings))
+    terminal.warn(unlikely.lines(RUNS.settings, RUNS.stated), most=unlikely.MOST, rest="")
     said = progress.planning(sum(len(RUNS.curves(run)) for run in RUNS.settings))
     if said and "check" not in sys.argv:
         print(said, file=sys.stderr, flush=True)
@@ -300,7 +302,7 @@ onsuccess:
             say_answers(
                 [Path(RESULTS) / run / "tables" / "answer.csv" for run in RUNS.settings]
             )
-    folders = ", ".join(f"{RESULTS}/{run}" for run in RUNS.settings)
+    folders = listed([f"{RESULTS}/{run}" for run in RUNS.settings])
     print(f"done: results in {folders}", file=sys.stderr)
 
 

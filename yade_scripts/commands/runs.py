@@ -85,7 +85,7 @@ def chosen(listed, name, path):
     if name is None:
         return list(cases.values()) if isinstance(cases, dict) else cases
     if name not in cases:
-        raise ValueError(f"{path}: no {name}; expected one of {', '.join(cases)}")
+        raise ValueError(f"{path}: no {name}; expected one of {listed(cases)}")
     return [cases[name]]
 
 
@@ -102,7 +102,7 @@ def main(arguments=None):
     cases = [given | case for case in chosen(listed, args.case, args.list)]
     for case in cases:
         if missing := [word for word in (*GIVEN, "pga_g") if word not in (*case, "second")]:
-            raise ValueError(f"{args.list}: a case has no {', '.join(missing)}")
+            raise ValueError(f"{args.list}: a case has no {listed(missing)}")
     adapter.load_yade()
     journal, rows = Journal(args.journal), []
     for case in cases:

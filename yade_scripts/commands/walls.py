@@ -32,6 +32,7 @@ from yade_scripts.commands import command, shaking
 from yade_scripts.commands.tables import archive
 from yade_scripts.engine import adapter, simulate
 from yade_scripts.files import read_json, write_atomic
+from yade_scripts.lists import listed
 from yade_scripts.model import facade, floor_motions, models
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.gravity import GRAVITY_M_S2
@@ -55,7 +56,7 @@ def read_walls(path):
     for number, wall in enumerate(walls, 1):
         own = SHAKEN if "motion" in wall else RELEASED
         if missing := [key for key in (*KEYS, *own) if key not in wall]:
-            raise ValueError(f"{path}: wall {number} has no {', '.join(missing)}")
+            raise ValueError(f"{path}: wall {number} has no {listed(missing)}")
         where = f"{path}: wall {wall['id']}"
         if not isinstance(wall["beta_s"], list):
             wall["beta_s"] = [wall["beta_s"]]

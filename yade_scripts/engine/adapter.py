@@ -20,6 +20,7 @@ from yade_scripts.engine.parts import SceneParts
 from yade_scripts.engine.releases import Releases
 from yade_scripts.engine.ties import Ties
 from yade_scripts.engine.welds import Welds
+from yade_scripts.lists import listed
 from yade_scripts.model.motion import SupportMotion
 from yade_scripts.model.scene import DOFS
 
@@ -68,7 +69,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
 
     missing = [name for name in scene.motions if name not in motions]
     if missing:
-        raise EngineError(f"no motion given for {', '.join(missing)}")
+        raise EngineError(f"no motion given for {listed(missing)}")
     omega = w.Omega()
     loop.reset(omega)
     faces = Faces(scene)

@@ -8,6 +8,7 @@ import sys
 import types
 
 from yade_scripts.engine import temporary
+from yade_scripts.lists import listed
 
 NEEDED_CLASSES = (
     "Box",
@@ -71,5 +72,5 @@ def load_yade():
         temporary.clear(os.path.dirname(wrapper.Omega().tmpFilename()))
     missing = [name for name in NEEDED_CLASSES if not hasattr(wrapper, name)]
     if missing:
-        raise EngineError(f"this YADE lacks the class(es) {', '.join(missing)}")
+        raise EngineError(f"this YADE lacks the class(es) {listed(missing)}")
     return wrapper

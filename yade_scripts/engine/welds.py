@@ -13,6 +13,7 @@ import math
 import numpy as np
 
 from yade_scripts.engine.attached import Attached
+from yade_scripts.lists import listed
 
 # The normal of a pair turns by (shear displacement)/(2r). A radius far above any joint
 # displacement keeps the springs linear; without a collider it may exceed the brick.
@@ -40,7 +41,7 @@ class Welds(Attached):
             return
         missing = [name for name in NEEDED if not hasattr(w, name)]
         if missing:
-            raise ValueError(f"this YADE lacks the class(es) {', '.join(missing)}")
+            raise ValueError(f"this YADE lacks the class(es) {listed(missing)}")
         if scene.links or scene.ties or scene.floors:
             raise ValueError(
                 "welded nodes share a mask bit with links, a shape with ties and floors"

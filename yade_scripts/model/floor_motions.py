@@ -18,6 +18,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from yade_scripts.lists import listed
 from yade_scripts.model.motion import GROUND, VERTICAL, along
 from yade_scripts.model.yielding import ByAmplitude, TabulatedFloors
 
@@ -176,4 +177,4 @@ def motion_columns(scene, columns):
 def _refuse_missing(names, columns):
     missing = [name for name in names if name not in columns]
     if missing:
-        raise ValueError(f"the motion file has no column for {', '.join(missing)}")
+        raise ValueError(f"the motion file has no column for {listed(missing)}")

@@ -12,6 +12,7 @@ The ground counts as mass 0. A wall that carries the masses hands its reactions 
 same weights.
 """
 
+from yade_scripts.lists import listed
 from yade_scripts.model.motion import GROUND
 
 PARTS = 5  # of a storey's block, each at its own height: a course of W3 by default
@@ -35,7 +36,7 @@ def weight_of(rule, height_ratio, n):
     place = height_ratio * n - storey_of(height_ratio, n)
     weights = {"top": 1.0, "middle": 0.5, "interpolated": place}
     if rule not in weights:
-        raise ValueError(f"return_wall.motion = '{rule}': expected {', '.join(weights)}")
+        raise ValueError(f"return_wall.motion = '{rule}': expected {listed(weights)}")
     return weights[rule]
 
 

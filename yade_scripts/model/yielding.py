@@ -10,6 +10,7 @@ import copy
 
 import numpy as np
 
+from yade_scripts.lists import listed
 from yade_scripts.model import storeys
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 from yade_scripts.model.motion import GROUND, VERTICAL, along
@@ -83,12 +84,12 @@ class TabulatedFloors(ByAmplitude):
             if off > ALIKE * size * np.abs(first).max():
                 raise ValueError("the ground's motion is not that of the lowest intensity, scaled")
             if list(level) != list(self):
-                raise ValueError(f"columns {', '.join(level)}; expected {', '.join(self)}")
+                raise ValueError(f"columns {listed(level)}; expected {listed(self)}")
         ratios = self.sizes[1:] / self.sizes[:-1]
         if np.any(ratios <= 1.0) or np.any(ratios > MOST_APART):
             raise ValueError(
                 f"intensities: expected ascending ones, at most a factor of {MOST_APART:g} apart, "
-                f"got steps of {', '.join(f'{ratio:.3g}' for ratio in ratios)}"
+                f"got steps of {listed(f'{ratio:.3g}' for ratio in ratios)}"
             )
 
     @property

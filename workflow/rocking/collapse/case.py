@@ -21,10 +21,12 @@ from rocking.configuration import schema
 from rocking.configuration.facade import WEAKEST, check_facade
 from rocking.configuration.files import read_yaml
 from rocking.configuration.storeys import check_storeys
+from rocking.configuration.together import NoEffectWarning, without_effect
 from rocking.fidelity import choose, read_fidelity
 from rocking.mechanics.beta import LAW_FILE, RangeWarning, beta_and_range, beta_for
 from rocking.shipped import found
 from yade_scripts.files import read_json
+from yade_scripts.lists import listed
 from yade_scripts.model import registry
 from yade_scripts.model.facades import Facade
 from yade_scripts.model.part import part_of
@@ -108,6 +110,11 @@ class Case:
             In one line that names the model, the key, or file and line.
         TypeError
             For a configuration that is neither.
+
+        Warns
+        -----
+        NoEffectWarning
+            Of a key that is stated without the one it acts with.
         """
         registry.model(model)
         given = config or {}
@@ -121,6 +128,9 @@ class Case:
             )
         given = configuration.nested(given)
         resolved = configuration.resolve({**given, "models": [model]})
+        own = {key: given[key] for key in (*SECTIONS, "w3") if key in given}
+        for line in without_effect(resolved, {**own, "models": [model]}):
+            warnings.warn(line, NoEffectWarning, stacklevel=2)
         with warnings.catch_warnings():
             if "law" not in (given.get("damping") or {}):  # who names none asked for none
                 warnings.simplefilter("ignore", RangeWarning)
@@ -179,7 +189,7 @@ class Case:
         try:
             return self.sections[key]
         except KeyError:
-            known = ", ".join(self.sections) or "no section"
+            known = listed(self.sections) or "no section"
             raise KeyError(f"the case has no {key!r}; it has {known}") from None
 
     @property

@@ -3,6 +3,7 @@
 import numpy as np
 
 from rocking.tables import read_frame
+from yade_scripts.lists import listed
 
 COLUMNS = {
     "model",
@@ -26,7 +27,7 @@ def read_curve(path):
     table = read_frame(path)
     missing = COLUMNS - set(table.columns)
     if missing:
-        raise ValueError(f"{path}: missing column(s) {', '.join(sorted(missing))}")
+        raise ValueError(f"{path}: missing column(s) {listed(sorted(missing))}")
     return table.sort_values("pga_g", ignore_index=True)
 
 

@@ -20,6 +20,7 @@ from rocking.records.floor_table import read_floor_table
 from rocking.records.floors import floor_columns
 from rocking.shipped import found, shipped
 from rocking.solver.storeys import march
+from yade_scripts.lists import listed
 from yade_scripts.model import floor_motions, yielding
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.storeys import storey_height
@@ -323,7 +324,7 @@ class Motion:
         out, given = self, _known(changes, variant.name)
         if self.floors is not None and given.keys() & {"surrogate", "vertical"}:
             raise ValueError(
-                f"variant '{variant.name}': motion {', '.join(given)}: expected the motion of a "
+                f"variant '{variant.name}': motion {listed(given)}: expected the motion of a "
                 "record, not floor motions"
             )
         if (how := given.pop("surrogate", None)) is not None:

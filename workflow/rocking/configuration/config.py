@@ -23,6 +23,7 @@ from rocking.configuration.storeys import check_storeys
 from rocking.configuration.study import as_in_the_study
 from rocking.configuration.units import unusual
 from rocking.configuration.words import listed
+from yade_scripts.lists import one_of
 from yade_scripts.model.part import part_of
 
 __all__ = [
@@ -260,8 +261,8 @@ def _chosen(wanted: Any, named: dict) -> set[str]:
     names = wanted if isinstance(wanted, list) else str(wanted).split(",")
     for name in names or [[]]:
         if not isinstance(name, str) or name.strip() not in named:
-            known = ", ".join(named) or "no scenarios are defined"
-            raise ConfigError(f"scenario = {show(name)}: expected all or one of: {known}")
+            known = f"{one_of(named, name)}, or all" if named else "no scenarios are defined"
+            raise ConfigError(f"scenario = {show(name)}: {known}")
     return {name.strip() for name in names}
 
 

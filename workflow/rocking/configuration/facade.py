@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rocking.configuration.schema import ConfigError, show
 from rocking.configuration.static_stability import WEAKEST, check_static_stability
+from yade_scripts.lists import listed
 from yade_scripts.model import interlocking, registry
 from yade_scripts.model.base import course_tops
 from yade_scripts.model.facades import ALONG, OWN_KEYS, STUDY, TRIANGLE, Facade, FloorRow, Rods
@@ -55,7 +56,7 @@ def _check_sides(resolved: Mapping) -> None:
     if alone and not set(models) <= set(allowed):
         on = "" if raised else ", and W2 and W2m on a base above the ground alone"
         raise ConfigError(
-            f"models = {show(models)}: expected [{', '.join(allowed)}] with facade.sides = two, "
+            f"models = {show(models)}: expected [{listed(allowed)}] with facade.sides = two, "
             f"since a free-standing façade has no return walls{on}"
         )
     least = raised + (0.0 if alone else facade.height_m)
@@ -198,12 +199,6 @@ def _check_floor(where: str, row: FloorRow, shape: Shape) -> None:
 def _check_bearing(where: str, row: FloorRow, resolved: Mapping) -> None:
     """Refuse a level load that does not lie on a plain top, or rests where nothing holds it."""
     facade = Facade.of(resolved["facade"])
-    pieces = facade.hinges_m or facade.courses
-    if facade.is_free and pieces and row.arm_m is not None:
-        raise ConfigError(
-            f"{where}.arm_m = {show(row.arm_m)}: expected null, the middle, with hinges and "
-            "facade.sides = two, since the pieces start upright"
-        )
     if row.bearing != "flat" and not row.load_inertia:
         return
     given = "bearing = flat" if row.bearing == "flat" else "load_inertia = true"

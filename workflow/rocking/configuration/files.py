@@ -10,6 +10,7 @@ import yaml
 from rocking.configuration.differences import flat
 from rocking.configuration.schema import MAX_VALUES, ConfigError
 from yade_scripts.files import write_atomic
+from yade_scripts.lists import listed
 
 
 def write_resolved(resolved: Mapping, path: str | os.PathLike, chosen: Iterable[str] = ()) -> None:
@@ -45,11 +46,11 @@ def changed(resolved: Mapping, path: str | os.PathLike) -> str:
     keys = [key for key in now if key in before and before[key] != now[key]]
     if not keys:
         return ""
-    named = [f"{key} {_shown(before[key])} → {_shown(now[key])}" for key in keys[:SHOWN_CHANGES]]
-    more = f" and {len(keys) - SHOWN_CHANGES} more" if len(keys) > SHOWN_CHANGES else ""
+    changes = [f"{key} {_shown(before[key])} → {_shown(now[key])}" for key in keys]
     return (
-        f"run {resolved['run']} gets other settings than its results have: {', '.join(named)}"
-        f"{more}; what depends on them is made again (run=<another name> keeps both)"
+        f"run {resolved['run']} gets other settings than its results have: "
+        f"{listed(changes, SHOWN_CHANGES)}; what depends on them is made again "
+        "(run=<another name> keeps both)"
     )
 
 

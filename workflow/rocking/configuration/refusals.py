@@ -16,6 +16,7 @@ from rocking.configuration.schema import (
     within,
 )
 from rocking.configuration.units import meant
+from yade_scripts.lists import listed
 
 
 def unknown_key(path: str, known: dict) -> ConfigError:
@@ -48,7 +49,7 @@ def unknown_key(path: str, known: dict) -> ConfigError:
     properties = known["properties"]
     for part in section.split(".") if section else ():
         properties = properties.get(part, {}).get("properties", {})
-    return ConfigError(f"unknown key '{path}'; expected one of {', '.join(properties or paths)}")
+    return ConfigError(f"unknown key '{path}'; expected one of {listed(properties or paths)}")
 
 
 def refusal(error: jsonschema.ValidationError, known: dict) -> ConfigError:
@@ -71,7 +72,7 @@ def refusal(error: jsonschema.ValidationError, known: dict) -> ConfigError:
         if "[" in path:  # an entry of a list has keys of its own
             own = schema.get("properties", {})
             near = difflib.get_close_matches(extra[0], own, 1, 0.7)
-            meant = f"did you mean '{near[0]}'?" if near else f"expected one of {', '.join(own)}"
+            meant = f"did you mean '{near[0]}'?" if near else f"expected one of {listed(own)}"
             return ConfigError(f"unknown key '{path}.{extra[0]}'; {meant}")
         return unknown_key(f"{path}.{extra[0]}" if path else extra[0], known)
     if not schema:

@@ -11,6 +11,7 @@ keys to that. Beside JSON Schema's own keywords (draft 2020-12) these are unders
 `models`         the value is the name of a model; which, a list of `registry` says; `{models}`
                  in the key's description is what each of them is
 `measures`       the value is the name of an intensity measure; a list without default has all
+`acts_with`      what other keys must be for this one to do anything, see `together`
 `usual`          lowest and highest common value, beyond which a run warns, see `units`
 `pattern_words`  what `pattern` means, for messages
 """
@@ -30,6 +31,7 @@ from typing import Any
 import jsonschema
 import yaml
 
+from rocking.configuration import declared
 from rocking.shipped import shipped
 from yade_scripts.model import registry
 
@@ -70,7 +72,7 @@ def _loaded(path: Path) -> dict:
     if not path.is_file():
         raise ConfigError(f"{path}: expected a file")
     try:
-        found = yaml.load(path.read_text("utf-8"), LOADER)
+        found = _once(path.read_text("utf-8"), path)
     except (OSError, UnicodeDecodeError) as error:
         raise ConfigError(f"{path}: not readable as text ({error})") from None
     except yaml.YAMLError as error:
@@ -80,12 +82,51 @@ def _loaded(path: Path) -> dict:
     keys = found.get("properties") if isinstance(found, dict) else None
     if not isinstance(keys, dict) or not all(isinstance(one, dict) for one in keys.values()):
         raise ConfigError(f"{path}: expected a schema: properties, and below it keys")
+    if said := declared.fault(found):
+        raise ConfigError(f"{path}: {said}")
     return found
+
+
+def _close(section: dict) -> None:
+    """A section is a mapping of the keys that its schema names, and of no others."""
+    section |= {"type": "object", "additionalProperties": False}
+    for part in section["properties"].values():
+        if "properties" in part:
+            _close(part)
+
+
+def _once(text: str, path: Path) -> Any:
+    """Read YAML in which no key stands twice in one mapping."""
+    loader = LOADER(text)
+    try:
+        node = loader.get_single_node()
+        for twice in _twice(node, 0):
+            raise ConfigError(
+                f"{path} line {twice.start_mark.line + 1}: {twice.value} stands twice"
+            )
+        return None if node is None else loader.construct_document(node)
+    finally:
+        loader.dispose()
+
+
+def _twice(node: Any, depth: int) -> Iterator[yaml.Node]:
+    """Keys that stand in a mapping a second time, down to a depth."""
+    if not isinstance(node, yaml.CollectionNode) or depth > MAX_DEPTH:
+        return
+    seen = set()
+    for part in node.value:
+        key, value = part if isinstance(node, yaml.MappingNode) else (None, part)
+        if isinstance(key, yaml.ScalarNode):
+            if key.value in seen:
+                yield key
+            seen.add(key.value)
+        yield from _twice(value, depth + 1)
 
 
 def read(path: Path) -> dict:
     """Schema of one file, models and measures named."""
     section = _loaded(path)
+    _close(section)
     for _, leaf in leaves(section):
         _name_all(leaf)
     return section
@@ -96,6 +137,9 @@ def sections(folder: Path = FOLDER) -> dict[str, dict]:
     """Schema of every section by name, the top level first, then in alphabetical order."""
     loaded: dict[str, dict] = {}
     for name, path in files(folder):
+        top = {*STUDY_KEYS, *loaded.get(TOP, {}).get("properties", {})} - {TOP}
+        if name in top:
+            raise ConfigError(f"{path}: {name} is a key at the top level; expected another name")
         if (known := loaded.setdefault(name, section := read(path))) is section:
             continue
         if both := sorted({*known["properties"]} & {*section["properties"]}):
@@ -112,7 +156,7 @@ def _name_all(leaf: dict) -> None:
         if "models" in part:
             part["enum"] = list(getattr(registry, part.pop("models")))
             meant = "; ".join(f"{name}: {registry.MODELS[name].meaning}" for name in part["enum"])
-            leaf["description"] = leaf["description"].replace("{models}", meant)
+            leaf["description"] = leaf.get("description", "").replace("{models}", meant)
         if part.pop("measures", False):
             from rocking.records.intensity_measures import MEASURES  # loads spectra
 
@@ -125,11 +169,14 @@ def whole(folder: Path = FOLDER) -> dict:
     """Return the schema of a complete configuration, assembled from the sections."""
     parts = dict(sections(folder))
     top = parts.pop(TOP)
-    return {
+    all_of_them = {
         "type": "object",
         "additionalProperties": False,
         "properties": {**top["properties"], **parts},
     }
+    if said := declared.unknown_path(dict(leaves(all_of_them))):
+        raise ConfigError(f"schema of {said}")
+    return all_of_them
 
 
 def leaves(schema: dict, prefix: str = "") -> Iterator[tuple[str, dict]]:

@@ -16,6 +16,8 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
+from yade_scripts.lists import listed
+
 ROOT = Path(__file__).resolve().parents[3]
 PAGE = ROOT / "docs" / "targets.md"
 RULE = re.compile(r'^rule (\w+):\n(?:    """([^"]*)"""\n)?((?:(?: {4}.*)?\n)*)', re.M)
@@ -78,7 +80,7 @@ def render(page: str, root: Path = ROOT) -> str:
 def _row(name: str, there: dict[str, Target], root: Path) -> str:
     target = there.get(name)
     if target is None:
-        raise ValueError(f"docs/targets.md: {name}: expected a target of {', '.join(there)}")
+        raise ValueError(f"docs/targets.md: {name}: expected a target of {listed(there)}")
     if not target.makes:
         raise ValueError(f"rule {name}: expected a docstring: what it makes. Costs: … Page: docs/…")
     page = target.page

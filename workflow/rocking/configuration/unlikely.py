@@ -1,20 +1,35 @@
-"""What a configuration may say, but hardly means: in another unit, or to a model that passes it."""
+"""What a configuration may say, but hardly means: in another unit, or without an effect."""
 
 import math
 from collections.abc import Iterator, Mapping
 
-from rocking.configuration import units
+from rocking.configuration import together, units
 from rocking.configuration.schema import leaves, show, whole
+from yade_scripts.lists import listed
 from yade_scripts.model import registry
 from yade_scripts.model.shape import shape_of
 
 COEFFICIENT = 2.0  # an angle of friction [°] below it is rather a coefficient
+MOST = 40  # lines: what no line says is silent
 OWN_SCAN = {"level_ratio": "ida", "power": "ida", "realisations": "ensemble"}  # of w3.scan, else of
 
 
-def lines(settings: Mapping[str, Mapping]) -> list[str]:
-    """Doubts about the resolved configurations of a study, by run; each line once."""
-    return list(dict.fromkeys(line for one in settings.values() for line in _unlikely(one)))
+def lines(
+    settings: Mapping[str, Mapping], stated: Mapping[str, Mapping] | None = None
+) -> list[str]:
+    """Doubts about the resolved configurations of a study, by run; each line once.
+
+    `stated` is what the user's configuration says of every run. A key that it says without what the
+    key acts with is doubted.
+    """
+    found = [line for one in settings.values() for line in _unlikely(one)]
+    runs: dict[str, list[str]] = {}
+    for run, given in (stated or {}).items():
+        for line in together.without_effect(settings[run], given):
+            runs.setdefault(line, []).append(run)
+    for line, those in runs.items():
+        found.append(line if len(those) == len(settings) else f"{listed(those, 3)}: {line}")
+    return list(dict.fromkeys(found))
 
 
 def _unlikely(resolved: Mapping) -> Iterator[str]:

@@ -19,6 +19,7 @@ from scipy.special import ndtr
 from rocking.formula import groups, yielding
 from rocking.formula.groups import OutsideError
 from rocking.shipped import shipped
+from yade_scripts.lists import listed
 from yade_scripts.model.facades import Facade
 
 if TYPE_CHECKING:
@@ -81,7 +82,7 @@ def said(row, model, measure="pga_g", base=None, law=None):
     """
     law = law or read()
     if model not in law["models"]:
-        raise OutsideError(f"formula: model {model}: the atlas has {', '.join(law['models'])}")
+        raise OutsideError(f"formula: model {model}: the atlas has {listed(law['models'])}")
     if measure not in MEASURES:
         raise OutsideError(f"formula: measure {measure}: expected one of {', '.join(MEASURES)}")
     check_limits(row, model, law)
@@ -104,7 +105,7 @@ def _elastic(row, model, measure, base, found, law):
     value, error = math.log(groups.tan_alpha(row)) + total(own, found), own["error"]
     if base not in (None, law["made_of"]["base"]):
         if base not in law["bases"]:
-            other = ", ".join([law["made_of"]["base"], *law["bases"]])
+            other = listed([law["made_of"]["base"], *law["bases"]])
             raise OutsideError(f"formula: facade.base = {base}: the atlas has {other}")
         ratio = law["bases"][base][model]
         value, error = value + total(ratio, found), math.hypot(error, ratio["error"])
@@ -212,7 +213,7 @@ def base_of(base, courses, courses_growth, law):
         if (row["courses"], row["courses_growth"]) == (courses, courses_growth):
             return row["name"]
     has = [f"{row['courses']} of growth {row['courses_growth']:g}" for row in known]
-    stacks = ", ".join(one for one in has if not one.startswith("0 ")) or "none"
+    stacks = listed(one for one in has if not one.startswith("0 ")) or "none"
     raise OutsideError(
         f"formula: facade.courses = {courses} of growth {courses_growth:g}: "
         f"of stacks the atlas has {stacks}"

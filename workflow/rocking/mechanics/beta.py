@@ -23,6 +23,7 @@ import scipy
 
 from rocking.mechanics import closed_forms
 from rocking.shipped import shipped
+from yade_scripts.lists import listed
 from yade_scripts.model import base as bases
 from yade_scripts.model.facade import joint_stiffness
 from yade_scripts.model.facades import Facade
@@ -126,7 +127,7 @@ def fit_law(walls, betas_s, names):
     x = np.array([[1.0, *(math.log(w[name]) for name in names)] for w in walls])
     y = np.log(betas * np.array([w["omega_c_rad_s"] for w in walls]))
     if np.linalg.matrix_rank(x) < x.shape[1]:
-        raise CalibrationError(f"regression of β: {', '.join(names)} do not vary independently")
+        raise CalibrationError(f"regression of β: {listed(names)} do not vary independently")
     inverse = np.linalg.inv(x.T @ x)
     coefficients = inverse @ x.T @ y
     residual = y - x @ coefficients

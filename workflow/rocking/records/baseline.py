@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from record_files.errors import RecordError
+from yade_scripts.lists import listed
 
 MAX_DEGREE = 8
 
@@ -39,7 +40,7 @@ def treat(record, method="none", *, order=2, highpass_hz=None, lowpass_hz=None, 
     where = f"record {record.name}"
     degrees = {"none": None, "mean": 0, "linear": 1, "poly": order}
     if method not in degrees:
-        raise RecordError(f"{where}: baseline {method!r}; expected one of {', '.join(degrees)}")
+        raise RecordError(f"{where}: baseline {method!r}; expected one of {listed(degrees)}")
     a, words, degree = record.acceleration_m_s2, [], degrees[method]
     if degree is not None:
         if not 0 <= degree <= min(MAX_DEGREE, len(a) - 2):

@@ -17,6 +17,7 @@ from record_files.header import heading_unit
 from record_files.layout import layout
 from record_files.record import UNITS_M_S2, unit_name
 from record_files.text import read_text
+from yade_scripts.lists import listed
 
 from .floor_check import GROUND, VERTICAL, check_floors
 
@@ -128,7 +129,7 @@ def _check_names(path, columns, labels):
         raise RecordError(f"{path}: no column of the ground's acceleration")
     if floors != list(range(1, len(floors) + 1)):
         raise RecordError(
-            f"{path}: floors {', '.join(map(str, floors))}; expected 1 to {len(floors)}, the "
+            f"{path}: floors {listed(map(str, floors))}; expected 1 to {len(floors)}, the "
             "lowest first"
         )
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from record_files.errors import RecordError
 from record_files.text import read_text
+from yade_scripts.lists import listed
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 from yade_scripts.model.yielding import TabulatedFloors
 
@@ -163,7 +164,7 @@ def _rows(path):
         cells = split_line(text, number, line, separator, len(columns))
         row = dict(zip(columns, cells, strict=False))
         if len(cells) > len(columns) or not all(row.get(name) for name in WANTED):
-            raise text.error(number, f"{len(cells)} cells; expected {', '.join(columns)}")
+            raise text.error(number, f"{len(cells)} cells; expected {listed(columns)}")
         if separator == ";":  # where commas are for decimals
             row["pga_g"] = row["pga_g"].replace(",", ".")
         found.append(row)

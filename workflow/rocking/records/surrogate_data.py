@@ -10,6 +10,7 @@ from record_files.errors import RecordError
 from record_files.reader import nearest
 from record_files.record import MAX_DT_S, MIN_DT_S
 from record_files.text import read_text
+from yade_scripts.lists import listed
 
 from .surrogate_model import SOLVABLE_NOISE, SOLVABLE_PULSE, Noise, Pulse, Spec
 
@@ -82,7 +83,7 @@ def _spec(where, entry):
 
 def _keys(where, entry, known, required):
     if not isinstance(entry, dict):
-        raise RecordError(f"{where}: expected a mapping with {', '.join(known)}")
+        raise RecordError(f"{where}: expected a mapping with {listed(known)}")
     for key in entry:
         if key not in known:
             raise RecordError(

@@ -24,6 +24,7 @@ from record_files.errors import RecordError
 from record_files.reader import nearest
 from record_files.record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, unit_name
 from record_files.text import parse_number, read_text
+from yade_scripts.lists import listed
 
 FILE_COLUMNS = ("file", "vertical_file", "floors")
 TARGETS = ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
@@ -205,7 +206,7 @@ def _row(text, number, cells):
     missing = [column for column in TARGETS if column not in numbers]
     if own is None and missing:
         raise text.error(
-            number, f"record {name}: no file, and a surrogate needs a value of {', '.join(missing)}"
+            number, f"record {name}: no file, and a surrogate needs a value of {listed(missing)}"
         )
     return Row(
         name,

@@ -9,6 +9,7 @@ from rocking.configuration.schema import value_at
 from rocking.records import floor_table, read_table, surrogates_for
 from rocking.runs.shared import Shared
 from rocking.stations import unnamed
+from yade_scripts.lists import one_of
 from yade_scripts.model import storeys
 from yade_scripts.model.facades import Facade
 from yade_scripts.model.registry import MODELS, PUSHED
@@ -104,7 +105,7 @@ class Runs:
             if name not in self.tables[run]:
                 raise configuration.ConfigError(
                     f"{key}: '{name}' is not in {self.settings[run]['records_table']}; "
-                    f"expected names from {', '.join(self.tables[run])}"
+                    f"{one_of(self.tables[run], name)}"
                 )
         return list(names)
 

@@ -7,6 +7,8 @@ import contextlib
 import inspect
 import sys
 
+from yade_scripts.lists import listed
+
 
 @contextlib.contextmanager
 def left_out_if_unknown(what):
@@ -20,4 +22,4 @@ def left_out_if_unknown(what):
 def expect_parameters(function, *names):
     """Raise TypeError where a function of Snakemake takes other parameters than these."""
     if tuple(found := inspect.signature(function).parameters) != names:
-        raise TypeError(f"{function.__qualname__} takes {', '.join(found)}")
+        raise TypeError(f"{function.__qualname__} takes {listed(found)}")

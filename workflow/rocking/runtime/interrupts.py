@@ -11,7 +11,7 @@ import signal
 import sys
 import threading
 
-from rocking.runtime.terminal import listed
+from yade_scripts.lists import listed
 
 MOST_NAMED = 4
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import fmean
 
-from rocking.runtime.terminal import listed
+from yade_scripts.lists import listed
 from yade_scripts.model import registry
 
 INTERVAL_S = 60.0

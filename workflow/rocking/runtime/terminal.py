@@ -10,6 +10,8 @@ import logging
 import re
 import sys
 
+from yade_scripts.lists import listed
+
 HIDDEN = {  # names of snakemake_interface_logger_plugins.common.LogEvent
     *("WORKFLOW_STARTED", "RUN_INFO", "RESOURCES_INFO", "JOB_INFO", "JOB_STARTED"),
     *("JOB_FINISHED", "GROUP_INFO", "PROGRESS", "SHELLCMD"),
@@ -19,19 +21,13 @@ CHATTER = ("Assuming unrestricted", "Building DAG", "Using shell", "Select jobs 
 MAX_WARNINGS = 5
 
 
-def warn(lines):
-    """Print warnings, a line each, the first of many."""
+def warn(lines, most=MAX_WARNINGS, rest="; the target check lists all of records"):
+    """Print warnings, a line each, the first of many, and in a line how many more."""
     lines = list(lines)
-    for line in lines[:MAX_WARNINGS]:
+    for line in lines[:most]:
         print(f"warning: {line}", file=sys.stderr)
-    if (more := len(lines) - MAX_WARNINGS) > 0:
-        print(f"warning: {more} more; the target check lists all of records", file=sys.stderr)
-
-
-def listed(names, most):
-    """Names apart by commas; of many the first, and how many more."""
-    more = f" and {len(names) - most} more" if len(names) > most else ""
-    return ", ".join(names[:most]) + more
+    if (more := len(lines) - most) > 0:
+        print(f"warning: {more} more{rest}", file=sys.stderr)
 
 
 def wanted(record):
@@ -51,7 +47,7 @@ def _about_file(path, runs):
     top, _, rest = path.partition("/")
     run = rest.partition("/")[0]
     if top == "results" and runs and run not in runs and not run.startswith("."):
-        return f"its run is {run}, this command's {', '.join(runs)}: add --config run={run}"
+        return f"its run is {run}, this command's {listed(runs)}: add --config run={run}"
     if any(mark in path for mark in "*?{}"):
         return "expected the path of one file, without wildcards"
     if "." not in path.rpartition("/")[2]:
@@ -77,7 +73,8 @@ def name_targets(targets, logger=None, runs=()):
         if found := _NO_RULE.search(str(record.msg)):
             names = targets()
             near = difflib.get_close_matches(found[1], names, 1)
-            said = f"did you mean {near[0]}?" if near else f"targets: {', '.join(names)}"
+            several = f"targets: {listed(names)} (--list-target-rules says what each makes)"
+            said = f"did you mean {near[0]}?" if near else several
             if "/" in found[1]:
                 said = _about_file(found[1], runs)
             record.msg = f"No rule to produce {found[1]}: {said}"

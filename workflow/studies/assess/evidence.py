@@ -15,6 +15,7 @@ from pathlib import Path
 
 LIST = "evidence.sha256"  # what the report cites
 SUMS = "SHA256SUMS"  # of that, and of the report
+MOTIONS = "accelerograms.sha256"  # of files that are not copied, by their paths
 DIGITS = 16  # of a digest, in a folder's name
 
 

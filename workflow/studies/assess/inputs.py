@@ -10,6 +10,7 @@ from rocking.configuration.differences import flat
 from studies.assess import national
 from studies.assess.site import pga_at, read_spectrum
 from studies.shared.hazard import read_hazard
+from yade_scripts.lists import listed
 from yade_scripts.model.registry import MODELS
 
 STATED = {  # keys that an assessment does not take from the case study
@@ -47,7 +48,7 @@ def check_stated(given, models=()):
         ]
     if missing:
         raise ValueError(
-            f"assess: {', '.join(missing)} not stated; expected in the façade's file, not the case "
+            f"assess: {listed(missing)} not stated; expected in the façade's file, not the case "
             "study's default"
         )
 

@@ -320,6 +320,7 @@ def kept(data, digest):
     else:
         behind = say("page.evidence.histories", **about)
     cited = {"list": evidence.LIST, "sums": evidence.SUMS, "digest": digest}
+    cited["motions"] = f"{place}/{evidence.MOTIONS}"
     return [
         say("page.evidence.folder", place=place),
         say("page.evidence.digest", **cited),

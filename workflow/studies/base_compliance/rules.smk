@@ -1,4 +1,5 @@
 # What the base of a rigid façade is worth compared with the elastic wall: ask for `base_compliance`.
+from yade_scripts.lists import listed
 
 
 def of_one_block(run):
@@ -6,7 +7,7 @@ def of_one_block(run):
     models = [m for m in RUNS.settings[run]["models"] if MODELS[m].compiled]
     found = [m for m in models if not (MODELS[m].two_way or MODELS[m].bonded)]
     if not found:
-        stop(f"base_compliance: models = {', '.join(models)}: expected W1 or W2")
+        stop(f"base_compliance: models = {listed(models)}: expected W1 or W2")
     return found
 
 

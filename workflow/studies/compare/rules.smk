@@ -30,7 +30,7 @@ def compared_tables(wildcards):
             there = [name for name in names if Path(RESOLVED.format(run=name)).is_file()]
             stop(
                 f"compare: no finished run '{run}' (no file {missing[0]}); "
-                f"there are {', '.join(there) or 'none'}"
+                f"there are {listed(there) or 'none'}"
             )
         if run not in RUNS.settings and (gone := finished.models_gone(path)):
             stop(f"compare: {gone}")

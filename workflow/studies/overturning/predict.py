@@ -13,6 +13,7 @@ from rocking.configuration.config import ConfigError
 from rocking.solver import peaks, stable_step, to_plane
 
 from studies.overturning import blocks, draws, table
+from yade_scripts.lists import listed
 
 MODELS = ("geometry", "fitted")
 KEYS = (
@@ -29,7 +30,7 @@ def read(folder, model):
         raise ConfigError(f"{path}: expected this file of the prediction")
     stated = yaml.safe_load(path.read_text("utf-8"))
     if missing := [key for key in KEYS if key not in stated]:
-        raise ConfigError(f"{path}: expected {', '.join(missing)}")
+        raise ConfigError(f"{path}: expected {listed(missing)}")
     return stated
 
 

@@ -15,6 +15,7 @@ from rocking.tables import read_frame
 
 from studies.overturning import blocks, predict
 from studies.overturning.score import measures
+from yade_scripts.lists import listed
 
 COLUMNS = ("test", "width_m", "height_m", "mass_kg", "motion", "factor", "outcome")
 FELL, STOOD = "fell", "stood"
@@ -29,7 +30,7 @@ def read(folder):
     stated = yaml.safe_load((folder / "blocks.yaml").read_text("utf-8"))
     tests = read_frame(folder / "tests.csv", comment="#")
     if absent := [name for name in COLUMNS if name not in tests]:
-        raise ConfigError(f"{folder}/tests.csv: expected columns {', '.join(absent)}")
+        raise ConfigError(f"{folder}/tests.csv: expected columns {listed(absent)}")
     if tests.empty:
         raise ConfigError(f"{folder}/tests.csv: expected a row a test: nobody has filled it in yet")
     for name in ("width_m", "height_m", "mass_kg"):

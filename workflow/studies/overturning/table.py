@@ -7,6 +7,7 @@ from rocking.configuration.config import ConfigError
 from rocking.solver import Motions
 from rocking.tables import read_frame
 
+from yade_scripts.lists import listed
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 
 TESTS, MOTIONS, SPECIMENS = "tests.csv", "table_motions.npz", "specimens.npz"
@@ -37,7 +38,7 @@ def tests(folder):
     table = read_frame(path)
     absent = [name for name in ("test", "motion", "pga_g") if name not in table]
     if absent:
-        raise ConfigError(f"{path}: expected columns {', '.join(absent)}")
+        raise ConfigError(f"{path}: expected columns {listed(absent)}")
     table["motion"] = table["motion"].str.strip()
     if table["test"].duplicated().any():
         number = table.loc[table["test"].duplicated(), "test"].iloc[0]

@@ -2,6 +2,7 @@
 
 from record_files.errors import RecordError
 from studies.shared.hazard import HazardError, read_hazard
+from yade_scripts.lists import listed
 
 
 def stated_hazard(resolved, find):
@@ -24,6 +25,6 @@ def stated_hazard(resolved, find):
     if curve.measure not in measures:
         raise HazardError(
             f"risk.hazard: {path} is of {curve.measure}; expected one of fragility.measures"
-            f" ({', '.join(measures)})"
+            f" ({listed(measures)})"
         )
     return path

@@ -20,6 +20,7 @@ import numpy as np
 from rocking.records.intensity_measures import MEASURES
 
 from record_files.text import comma_hint, read_text
+from yade_scripts.lists import listed
 
 RATE = "annual_rate"
 LONGEST = 10_000  # rows of a table, or sites of an export
@@ -146,7 +147,7 @@ def _table(path, lines):
         raise _fault(
             path,
             first,
-            f"columns {', '.join(names)[:80]}; expected one of {', '.join(MEASURES)} and {RATE}",
+            f"columns {listed(names)}; expected one of {listed(MEASURES)} and {RATE}",
         )
     if len(kept) > LONGEST:
         raise HazardError(f"{path}: more than {LONGEST} rows")

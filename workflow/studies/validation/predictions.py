@@ -47,6 +47,7 @@ from studies.validation.study import (
     one_after_another,
     peaks_of_spans,
 )
+from yade_scripts.lists import listed
 from yade_scripts.model.floor_motions import write
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 from yade_scripts.model.models import build_scene
@@ -68,12 +69,12 @@ def read(folder):
     specimen = yaml.safe_load(path.read_text("utf-8"))
     missing = [key for key in ("title", "source", "kind", "variants") if key not in specimen]
     if missing or specimen["kind"] not in KINDS:
-        raise ConfigError(f"{path}: expected {', '.join(missing) or 'kind: ' + ' or '.join(KINDS)}")
+        raise ConfigError(f"{path}: expected {listed(missing) or 'kind: ' + ' or '.join(KINDS)}")
     check_damping(path, specimen)
     runs = read_frame(Path(folder) / "runs.csv", comment="#", numbers=["run"])
     absent = [name for name in KINDS[specimen["kind"]] if name not in runs]
     if absent:
-        raise ConfigError(f"{folder}/runs.csv: expected columns {', '.join(absent)}")
+        raise ConfigError(f"{folder}/runs.csv: expected columns {listed(absent)}")
     return specimen, runs
 
 

@@ -17,6 +17,8 @@ from rocking.configuration.config import ConfigError
 from rocking.configuration.study import as_in_the_study
 from rocking.tables import read_frame
 
+from yade_scripts.lists import listed
+
 COLUMNS = (
     *("building", "run", "model", "height_m", "thickness_m"),
     *("first_period_s", "building_mass_kg", "pga_g", "grade"),
@@ -32,7 +34,7 @@ def read(folder):
         raise ConfigError(f"{path}: expected this file of the prediction")
     runs = read_frame(path, comment="#", numbers=["run"])
     if absent := [name for name in COLUMNS if name not in runs]:
-        raise ConfigError(f"{path}: expected columns {', '.join(absent)}")
+        raise ConfigError(f"{path}: expected columns {listed(absent)}")
     if runs.empty:
         raise ConfigError(f"{path}: expected a row a run: nobody has filled it in yet")
     for number, row in enumerate(runs.to_dict("records"), 1):

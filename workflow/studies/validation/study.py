@@ -18,6 +18,7 @@ from rocking.collapse.ratios import Ratios
 from rocking.configuration.config import ConfigError
 from rocking.tables import read_frame
 
+from yade_scripts.lists import listed
 from yade_scripts.model import registry
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 
@@ -83,7 +84,7 @@ def read(folder):
         specimen = over(specimen, yaml.safe_load(file.read_text("utf-8")))
     missing = [key for key in KEYS if key not in specimen]
     if missing:
-        raise ConfigError(f"{path}: expected {', '.join(missing)}")
+        raise ConfigError(f"{path}: expected {listed(missing)}")
     for key, known in (("kind", KINDS), ("model", registry.MODELS)):
         if specimen[key] not in known:
             raise ConfigError(f"{path}: {key} = {specimen[key]}: expected {' or '.join(known)}")
@@ -95,7 +96,7 @@ def read(folder):
         table = read_frame(file, comment="#", numbers=["run"])
         absent = [column for column in ("run", *columns) if column not in table]
         if absent:
-            raise ConfigError(f"{file}: expected columns {', '.join(absent)}")
+            raise ConfigError(f"{file}: expected columns {listed(absent)}")
         tables.append(table)
     strangers = sorted({*tables[1]["run"]} - {*tables[0]["run"]})
     if strangers:

@@ -38,7 +38,7 @@ def main(job):
     texts = {
         "config.yaml": yaml.safe_dump(config, sort_keys=False, allow_unicode=True, width=100),
         "version.json": json.dumps(facts, indent=1) + "\n",
-        "accelerograms.sha256": evidence.sums_of_paths(job.input.records),
+        evidence.MOTIONS: evidence.sums_of_paths(job.input.records),
     }
     given = [*job.input.site, job.input.table]
     made = [*job.input.tables, *job.input.verdicts, *job.input.yade, job.output.values]

@@ -317,7 +317,9 @@ def test_new_mechanisms_are_ranked_and_checked_like_the_others():
 @pytest.mark.parametrize("own", [{}, BRICKS])
 def test_pairs_of_lines_are_chosen_by_the_multiplier_of_their_mechanism(own):
     """What columns between lines sum to is α0 of the mechanism, loads, rods and cracks with it."""
-    known = family({**SHAPED, "thrusts": [{"height_m": 4.0, "force_kn": 3.0}]}, **own)
+    low = {"height_m": 0.3, "load_kn": 40.0}  # bears on what turns about the base
+    shape = {**SHAPED, "floors": [*SHAPED["floors"], low]}
+    known = family({**shape, "thrusts": [{"height_m": 4.0, "force_kn": 3.0}]}, **own)
     rows = [row for foot in (0.0, 3.0) for row in ((foot, *r) for r in _screened(known, foot))]
     assert len(rows) > 10
     for foot, alpha, _, ends in rows:

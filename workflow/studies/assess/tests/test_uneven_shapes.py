@@ -37,6 +37,28 @@ def test_a_part_turns_about_the_outer_edge_that_both_sides_of_a_step_have(
     assert one.mechanism.multiplier() == pytest.approx((edge_m - middle_m) / 1.5, rel=1e-9)
 
 
+def test_a_step_low_down_has_that_edge_too():
+    """Above 0.3 m, where the wall thickens outward from 0.4 to 0.5 m: it turns about 0.4 m."""
+    own = {"thickness_m": 0.4, "thickness_steps": [{"z_m": 0.3, "thickness_m": 0.5}]}
+    one = family({**PLAIN, **own, "flush_face": "inner"}).part(0.3, "part")
+    assert one.mechanism.multiplier() == pytest.approx((0.4 - 0.25) / 2.85, rel=1e-9)
+
+
+def test_a_floor_at_the_level_that_is_held_bears_on_the_part_that_bends():
+    """α0 = [W₁ b/2 + (W₂ + N) b + r (W₂ b/2 + Σ N s)]/[(W₁ + W₂) h₁/2], r = h₁/h₂."""
+    load_n, b, low, high = 2e4, 0.5, 2.5, 4.0
+    floor = {"height_m": high, "load_kn": 1e-3 * load_n, "arm_m": 0.1}
+    per_m = 1800.0 * GRAVITY_M_S2 * b * 4.0
+    first, second, above = per_m * low, per_m * (high - low), per_m * (6.0 - high)
+    for loads in ([(above, 0.5 * b)], [(above, 0.5 * b), (load_n, 0.1)]):
+        held = sum(n for n, _ in loads)
+        arms = second * 0.5 * b + sum(n * s for n, s in loads)
+        numerator = first * 0.5 * b + (second + held) * b + low / (high - low) * arms
+        expected = numerator / ((first + second) * 0.5 * low)
+        own = family({**PLAIN, "floors": [floor] if len(loads) > 1 else []}).bent(0.0, low, high)
+        assert own.multiplier() == pytest.approx(expected, rel=1e-6)
+
+
 @pytest.mark.parametrize("top", ["gable_height_m", "parapet_height_m"])
 def test_a_facade_stretched_in_height_turns_at_a_multiplier_lower_by_its_factor(top):
     """Weights grow with the factor, arms across stay and arms up grow: α0 falls by the factor."""

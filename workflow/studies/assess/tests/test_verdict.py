@@ -18,6 +18,7 @@ from studies.assess.verdict import (
     kinematic,
     no_rate,
     passes,
+    relied_on,
     suite,
 )
 from studies.assess.walls import named
@@ -279,3 +280,9 @@ def test_a_thicker_wall_that_is_allowed_less_is_told(thick, said):
     if said:
         assert "at 0.95 times it is passed up to 90 %" in line
         assert "at 1.05 times up to 70 %" in line
+
+
+def test_the_rate_rests_on_the_model_that_governs_or_else_on_the_last():
+    assert relied_on(["W2m", "W1", "W2"]) == "W2m"
+    assert relied_on(["W1", "W2", "W1"]) == "W2"
+    assert relied_on([]) is None

@@ -10,6 +10,8 @@ from rocking.runtime.script import run
 from rocking.tables import read_frame, read_json, write_table
 from studies.assumptions import study as assumptions
 
+from yade_scripts.lists import listed
+
 SIDE = [f"pga_{name}_g" for name in assumptions.SIDE]
 RATIOS = [f"ratio_{name}" for name in assumptions.SIDE]
 COLUMNS = ["model", "record", "source", "direction", "method", "runs", "cpu_s", *SIDE]
@@ -38,7 +40,7 @@ def curves(job, records):
         whole = read_frame(path)
         missing = {*probability.KEY, "pga_g", "probability", "realisations"} - set(whole.columns)
         if missing:
-            raise ValueError(f"{path}: missing column(s) {', '.join(sorted(missing))}")
+            raise ValueError(f"{path}: missing column(s) {listed(sorted(missing))}")
         measured = Path(path).parent.parent / "benchmarks"
         for key, table in whole[whole["record"].isin(records)].groupby(probability.KEY):
             found = assumptions.from_probabilities(table, p.hazard_slope)

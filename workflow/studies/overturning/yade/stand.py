@@ -22,6 +22,7 @@ from yade_scripts.commands import command
 from yade_scripts.engine import adapter, loop, simulate
 from yade_scripts.engine.poses import rotation
 from yade_scripts.files import read_json, write_atomic
+from yade_scripts.lists import listed
 from yade_scripts.model import floor_motions
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.scene import from_dict
@@ -100,7 +101,7 @@ def main(arguments=None):
         raise ValueError(f"{args.list}: expected a list of histories")
     for number, entry in enumerate(entries, 1):
         if missing := [key for key in KEYS if key not in entry]:
-            raise ValueError(f"{args.list}: history {number} has no {', '.join(missing)}")
+            raise ValueError(f"{args.list}: history {number} has no {listed(missing)}")
     adapter.load_yade()
     found = []
     for number, entry in enumerate(entries, 1):
