@@ -71,6 +71,19 @@ def late(files):
     return out
 
 
+def test_imports_are_found_at_any_depth(tmp_path):
+    """In a function, a branch, a handler of errors, a case: each changes what a script computes."""
+    modules = ("stations", "tables", "statements", "version", "fidelity")
+    first, second, third, fourth, fifth = (f"from rocking import {name}" for name in modules)
+    text = f"def f(x):\n    {first}\n    if x:\n        pass\n    else:\n        {second}\n"
+    text += f"    try:\n        pass\n    except OSError:\n        {third}\n"
+    text += f"    finally:\n        {fourth}\n    match x:\n        case 1:\n            {fifth}\n"
+    path = tmp_path / "script.py"
+    path.write_text(text)
+    found = {file.stem for file in sources.imports(path)}
+    assert found == {"__init__", *modules}
+
+
 @pytest.mark.slow
 def test_every_rule_depends_on_the_script_it_runs(tmp_path):
     """The input `modules` stands for the script and the module it calls; there is a log."""
