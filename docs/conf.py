@@ -53,10 +53,10 @@ def setup(app):
             app.env.metadata[app.env.docname]["orphan"] = True
 
     def formula_page(app, error):
-        """The page on which a reader moves a façade, with the shipped formula inside."""
-        if error is None and app.builder.format == "html":
+        """The atlas's page on which a reader moves a façade, with the shipped formula inside."""
+        if error is None and app.builder.format == "html" and (STUDIES / "atlas").is_dir():
             from rocking.formula.law import read
-            from rocking.formula.page import page
+            from studies.atlas.page import page
 
             (Path(app.outdir) / "formula.html").write_text(page(read()), encoding="utf-8")
 

@@ -16,7 +16,7 @@ import numpy as np
 ROOT = Path(__file__).parents[1]
 sys.path[:0] = [str(ROOT / "workflow")]
 
-from rocking.records.formats import packed  # noqa: E402
+from record_files import packed  # noqa: E402
 
 SUITE = ROOT / "config" / "suites" / "recorded_suite.motions"
 WORDS = {

@@ -13,6 +13,8 @@ ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = {
     "yade_scripts": ROOT / "yade_scripts",
     "smdof": ROOT / "smdof",
+    "record_files": ROOT / "record_files",
+    "reference_solver": ROOT / "reference_solver",
     "rocking": ROOT / "workflow" / "rocking",
     "studies": ROOT / "workflow" / "studies",
 }
@@ -39,7 +41,7 @@ def _package(path):
 def names(files):
     """Dotted names of those files that are modules of the project, sorted.
 
-    A script of a rule is none, wherever it lies: to import it would run it.
+    The script of a rule is left out, wherever it lies: to import it would run it.
     """
     found = []
     for path in map(Path, files):

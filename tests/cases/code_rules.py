@@ -10,6 +10,8 @@ import re
 import tokenize
 from types import SimpleNamespace
 
+from yade_scripts.sources import PACKAGES, ROOT
+
 MODULES = {  # that make objects of bytes, open connections, or run other files
     *("pickle", "_pickle", "cPickle", "cloudpickle", "dill", "joblib", "marshal", "shelve"),
     *("socket", "socketserver", "http", "urllib.request", "requests", "xmlrpc", "ftplib"),
@@ -33,7 +35,9 @@ OF_YAML = re.compile(r"yaml\.(\w+\.)*C?(Unsafe|Full)?(Loader|Constructor)")  # t
 STARTS = ("os.exec", "os.spawn")  # os.execv, os.spawnl, …
 OFF = ("shell", "allow_pickle")  # keywords that stay False
 IMPORT = "importlib.import_module"  # of a text that begins as the project's modules do
-OWN = ("rocking.", "smdof.", "studies.", "yade_scripts.")
+OWN = tuple(f"{package}." for package in PACKAGES)
+# folders of the project at the top that hold code
+TOPS = sorted({folder.relative_to(ROOT).parts[0] for folder in PACKAGES.values()} | {"tools"})
 # modules whose names are looked up in the source, not by a text, under no second name
 LOOKED_INTO = ("os", "sys", "builtins", "subprocess", "importlib", "yaml")
 SHELLS = re.compile(r"(.*/)?(env|(ba|da|z|k|c)?sh|python[\d.]*)")

@@ -139,16 +139,17 @@ def _serve():
 
 def _plan_ahead():
     """Do what every plan begins with and keeps: plugins, imports of rules and of scripts."""
+    sources = importlib.import_module("yade_scripts.sources")
+    packages = "|".join(sources.PACKAGES)
     importlib.import_module("snakemake.cli").get_argument_parser()
     for path in (*ROOT.glob("workflow/rules/*.smk"), *ROOT.glob("workflow/studies/*/*.smk")):
         for name in re.findall(
-            r"(?m)^from ((?:rocking|smdof|studies|yade_scripts)[\w.]*) import",
+            rf"(?m)^from ((?:{packages})[\w.]*) import",
             path.read_text("utf-8"),
         ):
             importlib.import_module(name)
-    sources = importlib.import_module("yade_scripts.sources").sources
     for path in (*ROOT.glob("workflow/scripts/*/*.py"), *ROOT.glob("workflow/studies/*/**/*.py")):
-        sources(path)
+        sources.sources(path)
 
 
 def _obey(order):

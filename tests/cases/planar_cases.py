@@ -1,8 +1,9 @@
 """Walls of the planar solver for tests, and the rates of its compiled law."""
 
 import numpy as np
-from rocking.reference import Wall
-from rocking.reference.contact import law_of, rates
+
+from reference_solver import Wall
+from reference_solver.contact import law_of, rates
 
 
 def sorrentino(**changes):

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import pytest
-from rocking.records import RecordError, read_record
+from rocking.records import Record, RecordError, read_record
 
 DT_S = 0.02
 
@@ -249,7 +249,7 @@ def single_column():
 
 def packed():
     """Return a file whose damage shows in a check sum, not in the damaged line."""
-    from rocking.records.formats.packed import FIRST, pack
+    from record_files.packed import FIRST, pack
 
     a, lines = motion(), [FIRST, "source: made up", "licence: none", "motions: 2"]
     for scale, label in ((1, "A NS"), (2, "A UD")):
@@ -300,3 +300,11 @@ def refusal(path, sample, **changed):
     assert path in message
     assert "\n" not in message
     return message
+
+
+def harmonic(amplitude_g=0.3, period_s=1.0, cycles=40, dt_s=0.005):
+    """A sine of acceleration from rest: v = (aT/2π)(1 − cos), so PGV = aT/π."""
+    t = np.arange(0.0, cycles * period_s + dt_s / 2, dt_s)
+    return Record(
+        "harmonic", amplitude_g * 9.80665 * np.sin(2 * np.pi * t / period_s), dt_s, "surrogate"
+    )

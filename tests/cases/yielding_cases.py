@@ -1,7 +1,11 @@
 """A façade before a building that yields, for tests."""
 
 import numpy as np
+from rocking import Motion
 from study_cases import study_case
+
+from yade_scripts.model import floor_motions
+from yade_scripts.model.motion import amplitude
 
 KEYS = {"return_wall.building_mass_kg": 65e3}
 
@@ -20,3 +24,19 @@ def ground(seconds=8.0, dt=0.001, seed=3, peak=3.0):
     a = noise * np.exp(-(((coarse - 0.4 * seconds) / (0.2 * seconds)) ** 2))
     fine = np.interp(dt * np.arange(int(seconds / dt)), coarse, a)
     return peak * fine / np.abs(fine).max()
+
+
+def write_floors_by_pga(folder, levels_g):
+    """Floors of a building that yields under RRS228, a file a PGA and `by_pga.csv` that names them.
+
+    Returns case and motion.
+    """
+    weak, motion = case("W2", 0.1, "peak_oriented"), Motion.named("RRS228")
+    time_s, columns = motion.columns(weak)
+    rows = ["pga_g,file"]
+    for level in levels_g:
+        moved = columns.at(amplitude(columns["ground"], "pos", level))
+        floor_motions.write_columns(folder / f"at_{level:g}.csv", time_s, moved, digits=12)
+        rows.append(f"{level:g},at_{level:g}.csv")
+    (folder / "by_pga.csv").write_text("\n".join(rows) + "\n")
+    return weak, motion

@@ -10,7 +10,6 @@ from rocking.records import RecordError
 from tests.cases import yielding_cases
 from yade_scripts.model import floor_motions
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
-from yade_scripts.model.motion import amplitude
 
 LEVELS_G = (0.08, 0.096, 0.115, 0.138)
 
@@ -18,16 +17,8 @@ LEVELS_G = (0.08, 0.096, 0.115, 0.138)
 @pytest.fixture
 def tabled(tmp_path):
     """A table of what a building that yields does at some PGA, and its motion and case."""
-    case, motion = yielding_cases.case("W2", 0.1, "peak_oriented"), Motion.named("RRS228")
-    time_s, columns = motion.columns(case)
-    rows = ["pga_g,file"]
-    for level in LEVELS_G:
-        moved = columns.at(amplitude(columns["ground"], "pos", level))
-        floor_motions.write_columns(tmp_path / f"at_{level:g}.csv", time_s, moved, digits=12)
-        rows.append(f"{level:g},at_{level:g}.csv")
-    path = tmp_path / "by_pga.csv"
-    path.write_text("\n".join(rows) + "\n")
-    return path, case, motion
+    case, motion = yielding_cases.write_floors_by_pga(tmp_path, LEVELS_G)
+    return tmp_path / "by_pga.csv", case, motion
 
 
 def test_a_table_of_a_yielding_building_is_that_building(tabled):

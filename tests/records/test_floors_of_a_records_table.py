@@ -11,7 +11,6 @@ from rocking.runs.floors import refuse
 
 from tests.cases import yielding_cases
 from yade_scripts.model import floor_motions
-from yade_scripts.model.motion import amplitude
 from yade_scripts.model.yielding import TabulatedFloors
 
 LEVELS_G = (0.08, 0.096, 0.115, 0.138)
@@ -21,15 +20,9 @@ HEAD = "record\tfile\tfloors\tfloors_building\n"
 @pytest.fixture
 def folder(tmp_path):
     """A record, its floors of a building that yields at some PGA, and tables that name them."""
-    case, motion = yielding_cases.case("W2", 0.1, "peak_oriented"), Motion.named("RRS228")
+    case, motion = yielding_cases.write_floors_by_pga(tmp_path, LEVELS_G)
     time_s, columns = motion.columns(case)
-    rows = ["pga_g,file"]
-    for level in LEVELS_G:
-        moved = columns.at(amplitude(columns["ground"], "pos", level))
-        floor_motions.write_columns(tmp_path / f"at_{level:g}.csv", time_s, moved, digits=12)
-        rows.append(f"{level:g},at_{level:g}.csv")
     floor_motions.write_columns(tmp_path / "given.csv", time_s, {"ground": columns["ground"]})
-    (tmp_path / "by_pga.csv").write_text("\n".join(rows) + "\n")
     (tmp_path / "records.tsv").write_text(f"{HEAD}mine\tgiven.csv\tby_pga.csv\t\n")
     return tmp_path
 

@@ -11,10 +11,11 @@ import record_samples as samples
 from rocking.records import check as module
 from rocking.records import read_table
 from rocking.records.check import check_records, check_runs
-from rocking.records.reader import open_file, pick
-from rocking.records.record import G_M_S2, Record
 from rocking.runs import Runs
 from run_script import script
+
+from record_files.reader import open_file, pick
+from record_files.record import G_M_S2, Record
 
 ROOT = Path(__file__).parents[2]
 SUITE = ROOT / "config" / "suites" / "recorded_suite.tsv"

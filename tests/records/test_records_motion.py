@@ -18,7 +18,8 @@ from rocking.records import (
     treat,
     write_csv,
 )
-from rocking.records.record import significant_duration
+
+from record_files.record import significant_duration
 
 
 def sine(n=2001, dt_s=0.005, amplitude=2.0, period_s=1.0):

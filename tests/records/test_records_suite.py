@@ -18,8 +18,9 @@ from rocking.records import (
     read_table,
     write_csv,
 )
-from rocking.records.formats import packed
-from rocking.records.reader import open_file, pick
+
+from record_files import packed
+from record_files.reader import open_file, pick
 
 ROOT = Path(__file__).parents[2]
 TABLE = ROOT / "config" / "suites" / "recorded_suite.tsv"

@@ -21,7 +21,7 @@ from numba.core.dispatcher import Dispatcher
 from rocking import Case, Motion, collapse_curve, collapse_curves, compile_ahead
 from rocking.mechanics import column
 from rocking.records import Record
-from rocking.reference.facade import answers
+from reference_solver.facade import answers
 
 
 def compiled():

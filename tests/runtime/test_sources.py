@@ -27,7 +27,7 @@ before = set(sys.modules)
 exec(compile(open({path!r}).read(), {path!r}, "exec"), {{"__name__": "script"}})
 for name, module in sorted(sys.modules.items()):
     file = getattr(module, "__file__", None)
-    if file and name.split(".")[0] in ("rocking", "smdof", "studies", "yade_scripts"):
+    if file and name.split(".")[0] in {packages!r}:
         print(file)
 """
 RULE_FILES = sorted([*ROOT.glob("workflow/rules/**/*.smk"), *STUDIES.glob("*/*.smk")])
@@ -48,7 +48,7 @@ def test_sources_are_what_python_loads(name):
         pytest.skip("studies are deleted")
     (path,) = [*SCRIPTS.glob(f"*/{name}.py"), *STUDIES.glob(f"*/scripts/{name}.py")]
     done = subprocess.run(
-        [sys.executable, "-c", LOADED.format(path=str(path))],
+        [sys.executable, "-c", LOADED.format(path=str(path), packages=[*sources.PACKAGES])],
         capture_output=True,
         text=True,
         timeout=120,

@@ -12,8 +12,6 @@ from rocking.configuration.config import ConfigError
 from rocking.fidelity import COURSES, read_fidelity
 from rocking.mechanics import column
 from rocking.mechanics.closed_forms import capacity_compliant_base
-from rocking.reference import SupportTable, simulate_batch
-from rocking.reference.facade import wall_of
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import Motions, history, peaks, stable_step
 from study_cases import study_case, study_settings
@@ -21,6 +19,8 @@ from test_floors import slow
 from test_ties import G
 from yade_process import in_yade, resolved
 
+from reference_solver import SupportTable, simulate_batch
+from reference_solver.facade import wall_of
 from yade_scripts.model import base
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.models import build_scene

@@ -7,12 +7,12 @@ import pytest
 from both_solvers import pulses
 from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
-from rocking.reference.stack import StackSolver
 from rocking.solver import rubbing, stable_step, stack_kernel
 from rocking.solver.runs import Motions, fitted, history, peaks
 from rocking.solver.stack import LEAD
 from study_cases import study_case
 
+from reference_solver.stack import StackSolver
 from yade_scripts.model.models import build_scene
 from yade_scripts.model.scene import NO_DRAG
 

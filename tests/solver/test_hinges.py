@@ -331,7 +331,6 @@ def test_yade_and_the_compiled_solver_on_a_wall_that_spans():
 @pytest.mark.parametrize(
     ("floor", "facade", "message"),
     [
-        ({"arm_m": 0.1, "bearing": "point"}, {}, "arm_m = 0.1: expected null, the middle"),
         ({"height_m": 3.0}, {}, "bearing = flat: expected height_m = facade.height_m = 6.48"),
         ({}, {"gable_height_m": 1.0, "hinges_m": []}, "bearing = flat: expected a plain upright"),
         ({}, {"ties": [{"height_m": 3.0}]}, "sides = two: expected no facade.ties"),

@@ -17,7 +17,8 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from rocking.formula import law, page
+from rocking.formula import law
+from studies.atlas import page
 
 SHOWN = """
 const found = [];

@@ -37,7 +37,8 @@ from rocking.records import (  # noqa: E402
     read_specs,
     read_table,
 )
-from rocking.records.record import MAX_DT_S, MAX_PGA_G, MIN_DT_S, MIN_PGA_G  # noqa: E402
+
+from record_files.record import MAX_DT_S, MAX_PGA_G, MIN_DT_S, MIN_PGA_G  # noqa: E402
 
 REAL = ROOT.parent / "shared" / "formats"
 SECONDS = 5.0  # of processor time for one input of the usual size

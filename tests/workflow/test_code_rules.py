@@ -4,13 +4,13 @@ import re
 from pathlib import Path
 
 import pytest
-from code_rules import as_python, commands, faults, unquoted
+from code_rules import TOPS, as_python, commands, faults, unquoted
 
 ROOT = Path(__file__).resolve().parents[2]
 OTHERS = [ROOT / "setup.py", ROOT / "docs" / "conf.py"]
 SOURCES = OTHERS + sorted(
     path
-    for top in ("smdof", "yade_scripts", "workflow", "tools", "docs/examples")
+    for top in (*TOPS, "docs/drawings", "docs/examples")
     for path in (ROOT / top).rglob("*.py")
     if "__pycache__" not in path.parts
 )

@@ -7,25 +7,28 @@ from collections import defaultdict
 from pathlib import Path
 
 import pytest
+from code_rules import TOPS
 from rocking.collapse.case import Case
 from rocking.configuration import schema
 from rocking.configuration.config import resolve
 
 from yade_scripts.model import models, registry
 from yade_scripts.model.facades import Facade
+from yade_scripts.sources import PACKAGES
 
 ROOT = Path(__file__).resolve().parents[2]
 LONGEST, MOST = 60, 8  # lines of a function, its arguments
 COMPILED = {"compiled", "inlined"}  # loops in which numba takes no objects
 KEYS, RULES = 170, 90
+CORE_LINES, FILE_LINES = 32_000, 400
+ASIDE = {"record_files", "reference_solver", "studies"}  # rooms that a reader of the core passes
 STOPS, CLIMBS = 12, 3
-PACKAGES = {"smdof", "yade_scripts", "rocking"}
 APART = {"tests", "trials", "__pycache__"}
 
 
 def sources():
     """Files of the project that are no tests."""
-    for top in ("smdof", "yade_scripts", "workflow", "tools", "docs"):
+    for top in (*TOPS, "docs"):
         for path in sorted((ROOT / top).rglob("*.py")):
             if not APART & {*path.parts} and not path.name.startswith("test_"):
                 yield path
@@ -65,6 +68,25 @@ def test_functions_are_short_and_take_little():
 )
 def test_the_check_of_functions_finds(text, found):
     assert [*faults(text)] == found
+
+
+def lines_of(paths):
+    return {path: len(path.read_text("utf-8").splitlines()) for path in paths}
+
+
+def test_the_core_is_short_enough_to_be_read():
+    """What the main job and every study stand on, rules too, without the rooms beside it."""
+    rules = [*ROOT.glob("workflow/rules/*.smk"), ROOT / "workflow/Snakefile", ROOT / "Snakefile"]
+    core = [path for path in sources() if not ASIDE & {*path.relative_to(ROOT).parts[:2]}]
+    core = [path for path in core if path.relative_to(ROOT).parts[0] != "docs"]
+    total = sum(lines_of([*core, *rules, ROOT / "setup.py"]).values())
+    assert 25_000 < total <= CORE_LINES
+
+
+def test_no_file_is_long():
+    tests = [*(ROOT / "tests").rglob("*.py"), *ROOT.glob("workflow/studies/**/*.py")]
+    lengths = lines_of([*sources(), *ROOT.glob("workflow/**/*.smk"), *tests])
+    assert {path.name: n for path, n in lengths.items() if n > FILE_LINES} == {}
 
 
 def test_no_two_classes_have_one_name():

@@ -5,10 +5,9 @@ import re
 from pathlib import Path
 
 import pytest
-from code_rules import as_python
+from code_rules import TOPS, as_python
 
 ROOT = Path(__file__).resolve().parents[2]
-TOPS = ("smdof", "yade_scripts", "workflow", "tools")
 ASIDE = {"tests", "trials"}
 LEAST = 4  # words that make a sentence; a value of a table's column has three at most
 OF_TEXT = {"startswith", "endswith", "removeprefix", "removesuffix", "partition", "rpartition"}
@@ -18,7 +17,7 @@ OF_TEXT |= {"isin", "eq", "ne", "get"}
 EDITED = {"startswith", "endswith", "replace", "find", "index"}  # not of a caught error's text
 # what others write: readers of records, Snakemake's messages
 OTHERS = (
-    "workflow/rocking/records/formats/",
+    "record_files/",
     "workflow/rocking/runtime/terminal.py",
     "tools/lint_workflow.py",
 )

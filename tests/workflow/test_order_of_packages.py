@@ -2,17 +2,15 @@
 
 import ast
 from collections import defaultdict
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-TOPS = {"smdof": ROOT, "yade_scripts": ROOT, "rocking": ROOT / "workflow"}
-TOPS["studies"] = ROOT / "workflow"
+from yade_scripts.sources import PACKAGES
+
 ROOMS = 16  # packages of the core, in the first two levels
 APART = {"scripts", "tests", "trials"}  # of a study: run, and imported by nobody
 MODULES = {
-    ".".join(path.relative_to(top).with_suffix("").parts).removesuffix(".__init__"): path
-    for package, top in TOPS.items()
-    for path in (top / package).rglob("*.py")
+    ".".join(path.relative_to(folder.parent).with_suffix("").parts).removesuffix(".__init__"): path
+    for folder in PACKAGES.values()
+    for path in folder.rglob("*.py")
     if not APART & {*path.parts} and not path.name.startswith("test_")
 }
 

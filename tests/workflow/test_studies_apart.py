@@ -15,7 +15,16 @@ from rocking.configuration.targets import targets
 ROOT = Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "workflow" / "studies"
 NAMES = sorted(path.parent.name for path in STUDIES.glob("*/rules.smk"))
-CORE = ("smdof", "yade_scripts", "workflow/rocking", "workflow/scripts", "tools", "tests")
+SHARED = "shared"  # what several studies stand on; no study
+CORE = (
+    "smdof",
+    "record_files",
+    "reference_solver",
+    "yade_scripts",
+    "workflow/rocking",
+    "workflow/scripts",
+)
+CORE += ("tools", "tests")
 LIMIT_S = 300.0
 
 
@@ -80,11 +89,20 @@ def test_nothing_else_imports_a_study_or_goes_into_its_folder():
 def test_a_study_imports_no_other_and_goes_into_no_other_s_folder(name):
     for path in (STUDIES / name).rglob("*.py"):
         text = path.read_text("utf-8")
-        assert imported(text, within(path)) <= {name}, path.name
+        assert imported(text, within(path)) <= {name, SHARED}, path.name
         assert path.name.startswith("test_") or files_named(text) <= {name}, path.name
     for path in (STUDIES / name).rglob("*.smk"):
         text = as_python(path.read_text("utf-8"))
-        assert files_named(text) | imported(text) <= {name}, path.name
+        assert files_named(text) | imported(text) <= {name, SHARED}, path.name
+
+
+def test_what_studies_share_imports_none_of_them():
+    paths = [*(STUDIES / SHARED).rglob("*.py")]
+    assert len(paths) > 5
+    for path in paths:
+        text = path.read_text("utf-8")
+        assert imported(text, within(path)) <= {SHARED}, path.name
+        assert files_named(text) == set(), path.name
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,8 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-PACKAGES = {"smdof": "smdof", "yade_scripts": "yade_scripts", "rocking": "workflow/rocking"}
+PACKAGES = {name: name for name in ("smdof", "record_files", "reference_solver", "yade_scripts")}
+PACKAGES["rocking"] = "workflow/rocking"
 IMPORT = """
 import importlib, sys
 sys.path[:0] = [sys.argv[1], *sys.argv[2].split(":")]

@@ -1,4 +1,4 @@
-"""Files given to the commands by hand: what is none of theirs is one line that names it."""
+"""Files given to the commands by hand: what they cannot use ends in one line that names it."""
 
 import copy
 import json

@@ -18,14 +18,14 @@ from concurrent.futures.process import BrokenProcessPool
 
 import numpy as np
 
+from reference_solver import Steps, SupportTable, simulate, simulate_batch
+from reference_solver.facade import wall_of
+from reference_solver.stack import StackSolver
 from rocking import solver
 from rocking.collapse.scan import layouts
 from rocking.configuration.config import resolve
 from rocking.configuration.study import as_in_the_study
 from rocking.mechanics import column
-from rocking.reference import Steps, SupportTable, simulate, simulate_batch
-from rocking.reference.facade import wall_of
-from rocking.reference.stack import StackSolver
 from rocking.runtime import warm
 from rocking.solver import storeys
 from yade_scripts.model.models import build_scene

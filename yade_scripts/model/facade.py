@@ -54,6 +54,7 @@ from yade_scripts.model.scene import (
     held,
 )
 from yade_scripts.model.shape import shape_of
+from yade_scripts.model.statics import resting
 from yade_scripts.model.storeys import sliders
 from yade_scripts.model.thrusts import thrust_ties
 from yade_scripts.model.ties import anchor_ties, facade_ties
@@ -139,7 +140,7 @@ def facade_scene(
     floors, springs = facade_floors(facade.floors, *behind, config["smdof"]["damping_ratio"])
     even = _even(nodes.joints, tops) if facade.courses else []
     notes = {"motions": motions, "watched": tops, "even": even}
-    return Scene(
+    scene = Scene(
         blocks,
         nodes.joints,
         _without_drag(nodes, even),
@@ -153,6 +154,7 @@ def facade_scene(
         shaking=GROUND if kind.two_way else None,
         notes={key: value for key, value in notes.items() if value},
     )
+    return resting(scene) if shape.hinges_m else scene
 
 
 def _refuse(model, kind, release_ratio):

@@ -5,8 +5,8 @@ both have there, on the width that openings leave, that take no tension; the bas
 jkn = E/L with L half the height of the two pieces together; a jkn stated for the base is the base's
 alone. A piece meets the return walls behind it alone.
 
-Pieces start upright, each settled under what stands on it. Where that is off the middle of a joint
-they settle into their small lean as the run begins.
+Pieces start at rest: each settled under what stands on it, and leaning where that is off the middle
+of a joint (`statics`).
 """
 
 from dataclasses import replace

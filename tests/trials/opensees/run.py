@@ -9,11 +9,15 @@ nine nodes along every edge, a building of 64 t. OpenSees takes the scene that Y
 sliders have no dashpot along them, so the reference solver of stacks runs that law too
 (`same_law`), and the full one (`full_law`), which the compiled solver has. Times are of the
 processor, of one history: OpenSees from its first step on, the compiled solver alone and of 64 side
-by side, YADE as it says itself (`--yade`). A row is written as soon as it is known; those that the
-table holds are not run again. OpenSees takes some 5 to 60 s a history.
+by side, YADE as it says itself (`--yade`). `--engines drake mujoco` runs them beside W1 in one
+block, which is all that they are set up for (`tests/trials/engines`, needs
+requirements-engines.in), at half and a twentieth of the stable step of YADE. A row is written as
+soon as it is known; those that the table holds are not run again. OpenSees takes some 5 to 60 s a
+history.
 """
 
 import argparse
+import importlib
 import json
 import math
 import subprocess
@@ -27,13 +31,14 @@ import pandas as pd
 from rocking import Case, Motion
 from rocking.collapse.curve import run_by
 from rocking.configuration.study import as_in_the_study
-from rocking.reference.stack import StackSolver
 from rocking.solver import peaks
 from rocking.tables import write_table
 
+from reference_solver.stack import StackSolver
 from yade_scripts.model.models import build_scene
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.scene import to_json
+from yade_scripts.model.stiffness import critical_step
 
 HERE = Path(__file__).resolve().parent
 SUITE = HERE.parents[2] / "config/suites/recorded_suite.tsv"
@@ -45,7 +50,8 @@ TOGETHER = 64
 LIMIT_S = 7200.0
 COLUMNS = ["model", "courses", "pga_g", "dt_s", "opensees", "same_law", "error", "full_law"]
 COLUMNS += ["compiled", "yade", "opensees_s", "compiled_s", "compiled_64_s", "yade_s"]
-COLUMNS += ["status", "steps", "again"]
+COLUMNS += ["drake", "drake_s", "mujoco", "mujoco_s", "status", "steps", "again"]
+ENGINES = HERE.parent / "engines"
 
 
 def case_of(model, courses):
@@ -99,6 +105,17 @@ def timed(scan, factor, count):
     return found.d_over_b[0], min(took)
 
 
+def in_engine(name, scene, time_s, ground):
+    """Peak and processor time of another engine, which knows W1 in one block."""
+    if str(ENGINES) not in sys.path:
+        sys.path.insert(0, str(ENGINES))
+    engine = importlib.import_module(f"in_{name}")
+    step_s = min(engine.STEPS) * float(critical_step(scene))
+    began = time.process_time()
+    peak = engine.run_case(scene, time_s, ground, step_s)[0]
+    return {name: peak.value, f"{name}_s": time.process_time() - began}
+
+
 def row_of(model, courses, pga_g, dt_s, motion, args):
     """One row of the table."""
     case = case_of(model, courses)
@@ -124,6 +141,11 @@ def row_of(model, courses, pga_g, dt_s, motion, args):
     if args.yade:
         table = run_by("yade", case, motion, DIRECTION, limit_s=LIMIT_S).run([pga_g])
         row |= {"yade": table["d_over_b"].iloc[0], "yade_s": table["wall_s"].iloc[0]}
+    if model == "W1" and not courses:
+        for name in args.engines:
+            row |= in_engine(
+                name, scene, np.asarray(time_s), factor * np.asarray(columns["ground"])
+            )
     return row
 
 
@@ -133,6 +155,7 @@ def main():
     parser.add_argument("--python", required=True, help="a Python that has openseespy")
     parser.add_argument("--output", type=Path, required=True)
     parser.add_argument("--yade", action="store_true", help="run YADE beside it")
+    parser.add_argument("--engines", nargs="+", choices=("drake", "mujoco"), default=())
     parser.add_argument("--cases", nargs="+", help="as W1:0, model and courses")
     parser.add_argument("--pga", nargs="+", type=float, default=PGA_G)
     parser.add_argument("--dt", nargs="+", type=float, default=STEPS_S)

@@ -1,30 +1,29 @@
-"""What is shaken: a case, and variants of it, as plain data.
+"""What is shaken: a case, as plain data.
 
 A case is one façade with its building, before one model of what stands behind it, with β and
 numerics chosen: the content of `results/<run>/cases/<model>.json`. Solvers build their scene from
-it. A variant is a name and what it changes, in the case and in the motion.
+it. How a `Variant` changes a case stands in `variant.py`.
 """
 
 import copy
 import json
 import math
 import warnings
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from numbers import Real
+from collections.abc import Mapping
+from dataclasses import dataclass
 from os import PathLike
 from typing import Any
 
 from rocking.collapse.frozen import frozen
+from rocking.collapse.variant import Variant, allowed, applied, place
 from rocking.configuration import config as configuration
-from rocking.configuration import refusals, schema
+from rocking.configuration import schema
 from rocking.configuration.facade import WEAKEST, check_facade
 from rocking.configuration.files import read_yaml
 from rocking.configuration.storeys import check_storeys
 from rocking.configuration.together import NoEffectWarning, without_effect
 from rocking.fidelity import choose, read_fidelity
 from rocking.mechanics.beta import LAW_FILE, RangeWarning, beta_and_range, beta_for
-from rocking.records.reader import nearest
 from rocking.shipped import found
 from yade_scripts.files import read_json
 from yade_scripts.lists import listed
@@ -36,42 +35,6 @@ FIDELITY_FILE = LAW_FILE.with_name("fidelity.yaml")
 OF_THE_FACADE = {"facade", "return_wall", "w3", "model"}  # what makes it possible or not
 Given = str | PathLike | Mapping[str, Any]  # a configuration: its file, or values by key
 SECTIONS = ("facade", "part", "return_wall", "damping", "smdof", "numerics", "ida", "ensemble")
-
-
-@dataclass(frozen=True)
-class Variant:
-    """One change of an experiment, as plain data.
-
-    Attributes
-    ----------
-    name : str
-    changes : mapping of str to value
-        New values of a case by dotted key, as "facade.friction_deg"; "model" changes the model.
-    factors : mapping of str to float
-        Factors on values of a case, by dotted key.
-    added : mapping of str to sequence of dict
-        Rows appended to a list of a case, by dotted key, as "facade.ties".
-    motion : mapping of str to value
-        See `motion.Motion.varied`: the share of the vertical motion, the source, a first shock.
-    about : mapping of str to value
-        What a table says of it, by column.
-    """
-
-    name: str = "as configured"
-    changes: Mapping[str, Any] = field(default_factory=dict)
-    factors: Mapping[str, float] = field(default_factory=dict)
-    added: Mapping[str, Sequence[Mapping[str, Any]]] = field(default_factory=dict)
-    motion: Mapping[str, Any] = field(default_factory=dict)
-    about: Mapping[str, Any] = field(default_factory=dict)
-
-    def __post_init__(self):
-        """Check that what it changes is stated by key."""
-        for what in ("changes", "factors", "added", "motion", "about"):
-            given = getattr(self, what)
-            if not isinstance(given, Mapping):
-                raise TypeError(
-                    f"variant {self.name!r}: {what} = {given!r}: expected a mapping by key"
-                )
 
 
 @dataclass(frozen=True)
@@ -118,7 +81,7 @@ class Case:
         Raises
         ------
         ValueError
-            In one line that names the file, for one that is none.
+            In one line that names the file, for one that is no case file.
         """
         expected = "expected a case file, as results/<run>/cases/<model>.json"
         try:
@@ -246,7 +209,7 @@ class Case:
 
     def get(self, key: str) -> Any:
         """Value of a dotted key; a ValueError of one line for a key that the case has not."""
-        return _place(self.sections, key)[0][key.rpartition(".")[2]]
+        return place(self.sections, key)[0][key.rpartition(".")[2]]
 
     def varied(self, variant: "Variant | Mapping[str, Any]") -> "Case":
         """Return the case with a variant's changes; β and numerics stay unless it names them.
@@ -270,31 +233,7 @@ class Case:
             raise TypeError(
                 f"{type(variant).__name__} given: expected a Variant, or new values by dotted key"
             )
-        sections = copy.deepcopy(self.sections)
-        for key, value in variant.changes.items():
-            part, name = _place(sections, key)
-            part[name] = _allowed(key, value)
-            if key == "model" and registry.model(value).walls == "bricks" and "w3" not in sections:
-                raise ValueError(
-                    f"model = {value}: expected a case that was configured with bricks"
-                )
-        for key, factor in variant.factors.items():
-            part, name = _place(sections, key)
-            if not _is_number(part[name]):
-                raise ValueError(
-                    f"{key} = {schema.show(part[name])}: expected a number to multiply"
-                )
-            if not _is_number(factor):
-                raise ValueError(f"{key}: factor {factor!r}: expected a number")
-            part[name] = _allowed(key, part[name] * factor)
-        for key, rows in variant.added.items():
-            part, name = _place(sections, key)
-            if not isinstance(part[name], list) or not isinstance(rows, (list, tuple)):
-                raise ValueError(f"{key}: expected rows added to a list, as [{{…}}]")
-            part[name] = [*part[name], *_allowed(key, [_completed(key, row) for row in rows])]
-        changed = {
-            key.split(".")[0] for key in (*variant.changes, *variant.factors, *variant.added)
-        }
+        sections, changed = applied(variant, self.sections)
         if "model" in sections:
             configuration.check_limits(sections)
             if changed & OF_THE_FACADE:
@@ -341,7 +280,7 @@ class Case:
         (3.48, 3.0, [])
         """
         given = {"foot_m": foot_m, "held_m": held_m, "hinge_m": hinge_m, "wedge_deg": wedge_deg}
-        heights = {name: _allowed(f"part.{name}", value) for name, value in given.items()}
+        heights = {name: allowed(f"part.{name}", value) for name, value in given.items()}
         wall = self["return_wall"]
         wedge = heights.pop("wedge_deg"), wall["count"] * wall["thickness_m"]
         section = part_of(self["facade"], **heights, wedge=wedge)
@@ -379,41 +318,3 @@ class Case:
     def to_json(self) -> str:
         """Text of the case file."""
         return json.dumps(self.sections, indent=1, sort_keys=True) + "\n"
-
-
-def _place(sections, key):
-    """Section of a dotted key, its name in it."""
-    *path, name = str(key).split(".")
-    part = sections
-    for section in path:
-        part = part.get(section) if isinstance(part, dict) else None
-    if not isinstance(part, dict) or name not in part:
-        near = nearest(name, part) if isinstance(part, dict) else ""
-        raise ValueError(f"{key}: the case has no such key{near}")
-    return part, name
-
-
-def _allowed(key, value):
-    """Value of a dotted key, if the configuration allows it there; β has no key of its own."""
-    if key == "model":
-        return registry.model(value).name
-    if key == "beta_s" and not (_is_number(value) and 0.0 <= value < math.inf):
-        raise ValueError(f"beta_s = {value!r}: expected a number ≥ 0 (s)")
-    if isinstance(value, Mapping):
-        raise ValueError(f"{key}: expected single values by dotted key, as 'facade.height_m'")
-    value = schema.plain(value, key)
-    if key != "beta_s":
-        refusals.refuse_invalid(configuration.nested({key: value}), schema.whole())
-    return value
-
-
-def _is_number(value):
-    return isinstance(value, Real) and not isinstance(value, bool)
-
-
-def _completed(key, row):
-    """Row of a list with the defaults of its schema."""
-    items = schema.whole()
-    for name in key.split("."):
-        items = items["properties"][name]
-    return schema.complete(row, items["items"])

@@ -10,6 +10,7 @@ from typing import Any, Literal
 import numpy as np
 import pandas as pd
 
+from record_files.reader import nearest
 from rocking.collapse import building, probability, search
 from rocking.collapse.case import Case
 from rocking.collapse.equivalent import SLOPE
@@ -20,7 +21,6 @@ from rocking.collapse.others import within_table
 from rocking.collapse.scan import Screen, scan_settings, seen_together
 from rocking.configuration import config as configuration
 from rocking.configuration import refusals, schema
-from rocking.records.reader import nearest
 from rocking.solver import runs
 from rocking.solver.first_compilation import say_first_compilation
 from yade_scripts.model.motion import SIGNS

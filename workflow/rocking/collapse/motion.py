@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from record_files.record import UNITS_M_S2, check_plausible, measures, unit_name
 from rocking.collapse.others import check_floors, fit
 from rocking.records import Record, RecordError, load, read_record, read_table
 from rocking.records.floor_file import read_floor_file
 from rocking.records.floor_table import read_floor_table
 from rocking.records.floors import floor_columns
-from rocking.records.record import UNITS_M_S2, check_plausible, measures, unit_name
 from rocking.shipped import found, shipped
 from rocking.solver.storeys import march
 from yade_scripts.lists import listed

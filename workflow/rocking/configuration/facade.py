@@ -199,12 +199,6 @@ def _check_floor(where: str, row: FloorRow, shape: Shape) -> None:
 def _check_bearing(where: str, row: FloorRow, resolved: Mapping) -> None:
     """Refuse a level load that does not lie on a plain top, or rests where nothing holds it."""
     facade = Facade.of(resolved["facade"])
-    pieces = facade.hinges_m or facade.courses
-    if facade.is_free and pieces and row.arm_m is not None:
-        raise ConfigError(
-            f"{where}.arm_m = {show(row.arm_m)}: expected null, the middle, with hinges and "
-            "facade.sides = two, since the pieces start upright"
-        )
     if row.bearing != "flat" and not row.load_inertia:
         return
     given = "bearing = flat" if row.bearing == "flat" else "load_inertia = true"

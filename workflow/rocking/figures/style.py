@@ -182,7 +182,7 @@ def save(figure, output, facts=()):
 
 
 def provenance(facts):
-    """Say where a record comes from, for titles: one of `records.record.SOURCES`."""
+    """Say where a record comes from, for titles: one of `record_files.record.SOURCES`."""
     return as_written(f"{facts['name']} ({facts['source']})")
 
 

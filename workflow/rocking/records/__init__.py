@@ -10,13 +10,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from record_files import FORMATS
+from record_files.errors import RecordError
+from record_files.reader import detect, nearest, read_record
+from record_files.record import G_M_S2, Record, integrate, measures
 from rocking.shipped import shipped
 
 from .baseline import treat
-from .errors import RecordError
-from .formats import FORMATS
-from .reader import detect, nearest, read_record
-from .record import G_M_S2, Record, integrate, measures
 from .store import read_csv, write_csv
 from .surrogate import DEFAULT_SEED, generate
 from .surrogate_data import read_specs

@@ -9,9 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from record_files.errors import RecordError
 from yade_scripts.lists import listed
-
-from .errors import RecordError
 
 MAX_DEGREE = 8
 

@@ -19,15 +19,15 @@ from warnings import catch_warnings, simplefilter
 
 import numpy as np
 
+from record_files.errors import RecordError
+from record_files.reader import open_file, pick
+from record_files.record import G_M_S2, integrate, measures
+from record_files.text import MAX_BYTES
 from yade_scripts.files import write_json
 
 from . import floor_table, read_specs, surrogates_for
 from .baseline import treat
-from .errors import RecordError
-from .reader import open_file, pick
-from .record import G_M_S2, integrate, measures
 from .surrogate import DEFAULT_SEED, check_surrogate, generate
-from .text import MAX_BYTES
 
 WARN_PGA_G = 3.0
 WARN_OFFSET = 0.01  # mean over peak; a smaller one where its drift is farther than the motion

@@ -4,8 +4,8 @@ import warnings
 
 import numpy as np
 
-from .errors import RecordError
-from .record import check_plausible, integrate
+from record_files.errors import RecordError
+from record_files.record import check_plausible, integrate
 
 GROUND = "ground"
 VERTICAL = "vertical"

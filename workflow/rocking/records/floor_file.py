@@ -10,16 +10,16 @@ import re
 
 import numpy as np
 
+from record_files.captions import TIME_UNITS
+from record_files.columns import uniform_step
+from record_files.errors import RecordError
+from record_files.header import heading_unit
+from record_files.layout import layout
+from record_files.record import UNITS_M_S2, unit_name
+from record_files.text import read_text
 from yade_scripts.lists import listed
 
-from .errors import RecordError
 from .floor_check import GROUND, VERTICAL, check_floors
-from .formats.captions import TIME_UNITS
-from .formats.columns import uniform_step
-from .formats.header import heading_unit
-from .formats.layout import layout
-from .record import UNITS_M_S2, unit_name
-from .text import read_text
 
 _FLOOR = re.compile(
     r"(?:floor|storey|story|level|piano|planta|etage|stock\w*|geschoss|f|l)[ _-]?(\d{1,2})", re.I

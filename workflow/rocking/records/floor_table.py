@@ -10,14 +10,14 @@ from pathlib import Path
 
 import numpy as np
 
+from record_files.errors import RecordError
+from record_files.text import read_text
 from yade_scripts.lists import listed
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 from yade_scripts.model.yielding import TabulatedFloors
 
-from .errors import RecordError
 from .floor_file import GROUND, named, read_floor_file
 from .table import ELASTIC, SEPARATED, split_line
-from .text import read_text
 
 WANTED = ("pga_g", "file")
 MOST = 1000  # intensities

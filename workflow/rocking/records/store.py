@@ -10,12 +10,11 @@ import os
 
 import numpy as np
 
+from record_files.columns import read_columns
+from record_files.errors import RecordError
+from record_files.record import SOURCES, Record
+from record_files.text import read_text
 from yade_scripts.files import write_atomic, write_json
-
-from .errors import RecordError
-from .formats.columns import read_columns
-from .record import SOURCES, Record
-from .text import read_text
 
 _KEYS = {"name": str, "dt_s": float, "source": str, "units_read": str, "baseline": str}
 

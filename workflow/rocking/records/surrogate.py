@@ -25,8 +25,9 @@ from operator import itemgetter
 
 import numpy as np
 
-from .errors import RecordError
-from .record import G_M_S2, MAX_PGA_G, MIN_PGA_G, Record
+from record_files.errors import RecordError
+from record_files.record import G_M_S2, MAX_PGA_G, MIN_PGA_G, Record
+
 from .surrogate_model import SOLVED, Noise, Pulse, Spec, SurrogateModel
 
 TOLERANCE = 0.01  # accepted relative error of PGA, PGV and PGD

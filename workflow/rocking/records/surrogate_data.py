@@ -6,13 +6,13 @@ from dataclasses import fields
 
 import yaml
 
+from record_files.errors import RecordError
+from record_files.reader import nearest
+from record_files.record import MAX_DT_S, MIN_DT_S
+from record_files.text import read_text
 from yade_scripts.lists import listed
 
-from .errors import RecordError
-from .reader import nearest
-from .record import MAX_DT_S, MIN_DT_S
 from .surrogate_model import SOLVABLE_NOISE, SOLVABLE_PULSE, Noise, Pulse, Spec
-from .text import read_text
 
 KEYS = ("dt_s", "pulses", "noise", "solve", "notes")
 MAX_PULSES = 20

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .record import integrate
+from record_files.record import integrate
 
 SOLVABLE_PULSE = ("amplitude_m_s", "period_s")
 SOLVABLE_NOISE = ("rms_m_s2", "frequency_hz", "low_cut_hz")

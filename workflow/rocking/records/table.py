@@ -19,13 +19,12 @@ import os
 import re
 from dataclasses import dataclass, field
 
+from record_files import FORMATS
+from record_files.errors import RecordError
+from record_files.reader import nearest
+from record_files.record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, unit_name
+from record_files.text import parse_number, read_text
 from yade_scripts.lists import listed
-
-from .errors import RecordError
-from .formats import FORMATS
-from .reader import nearest
-from .record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, unit_name
-from .text import parse_number, read_text
 
 FILE_COLUMNS = ("file", "vertical_file", "floors")
 TARGETS = ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")

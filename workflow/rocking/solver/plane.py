@@ -91,7 +91,7 @@ def to_plane(scene, frame=None):
 
 
 def _free_blocks(scene):
-    """Indices of the free blocks of a scene; ValueError where it is none of a plane."""
+    """Indices of the free blocks of a scene; ValueError where the scene is not planar."""
     sprung = {floor.b for floor in scene.floors}  # floors with a mass of their own
     free = [i for i, block in enumerate(scene.blocks) if block.free and i not in sprung]
     if not free or any(not set(scene.blocks[i].free) <= set(FREEDOMS) for i in free):

@@ -1,6 +1,6 @@
 """Dense scans by the independent planar solver, and what of them a reported curve covers.
 
-The reference solver (`rocking.reference`) shares no code with the compiled one. Its
+The reference solver (`reference_solver`) shares no code with the compiled one. Its
 search is `dense`, from half the lowest collapse that the workflow found, with
 `accuracy.reference_scan_step` for the fine steps. The dense probability at an amplitude
 is the share of its histories within that spread that fall; nodes and tolerance are the same.
@@ -11,9 +11,9 @@ import math
 import numpy as np
 import pandas as pd
 from rocking.collapse import probability
-from rocking.reference.facade import outcomes
 from scipy.optimize import isotonic_regression
 
+from reference_solver.facade import outcomes
 from studies.accuracy.dense import dense
 from yade_scripts.commands.search import drive
 

@@ -16,10 +16,11 @@ The least of the two counts. Both were read at second hand (`sources`): punching
 a single rod's steel takes is the tie's own (`yade_scripts.model.holds`).
 """
 
-import copy
 import math
+from dataclasses import replace
 from typing import NamedTuple
 
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.shape import shape_of
 
 FULL = 0.999  # of what an anchor holds that a rod may take: the rod yields first
@@ -35,38 +36,39 @@ class Anchor(NamedTuple):
     by: str
 
 
-def anchor(own, thickness_m):
+def anchor(assessment, thickness_m):
     """`Anchor` on a wall of a thickness, by section assessment."""
-    side, factor = own["anchor_plate_m"], PARTIAL * own["confidence_factor"]
-    shear, crush = (1e6 * own[f"masonry_{key}_mpa"] / factor for key in ("shear", "compression"))
+    side, factor = assessment["anchor_plate_m"], PARTIAL * assessment["confidence_factor"]
+    shear = 1e6 * assessment["masonry_shear_mpa"] / factor
+    crush = 1e6 * assessment["masonry_compression_mpa"] / factor
     punching = shear * 4.0 * (side + thickness_m) * thickness_m
     crushing = crush * side**2
     return Anchor(punching, PUNCHING) if punching <= crushing else Anchor(crushing, CRUSHING)
 
 
 def thickness_at(facade, height_m):
-    """Thickness of the wall below a row of ties [m]."""
-    shape = shape_of({**facade, "courses": 0})
+    """Thickness of the wall below a row of ties [m]; of a `Facade` or its section."""
+    shape = shape_of(replace(Facade.of(facade), courses=0))
     back, front = shape.faces_at(min(max(height_m - SIDE_M, 0.0), shape.storeys[-1][1]))
     return front - back
 
 
-def most_in_a_row(own, facade, height_m):
+def most_in_a_row(assessment, facade, height_m):
     """Anchors side by side in a row whose pyramids do not meet; at least one."""
-    apart = own["anchor_plate_m"] + 2.0 * thickness_at(facade, height_m)
-    return max(1, math.floor(facade["width_m"] / apart))
+    apart = assessment["anchor_plate_m"] + 2.0 * thickness_at(facade, height_m)
+    return max(1, math.floor(Facade.of(facade).width_m / apart))
 
 
-def completed(facade, own):
+def completed(facade, assessment):
     """Section facade whose ties all have a capacity of anchors: the stated one or `anchor`."""
-    if all(row["anchor_kn"] is not None for row in facade["ties"]):
-        return facade
-    found = copy.deepcopy(dict(facade))
-    for row in found["ties"]:
-        if row["anchor_kn"] is None:
-            held = anchor(own, thickness_at(facade, row["height_m"]))
-            row["anchor_kn"] = 1e-3 * held.force_n
-    return found
+
+    def held_kn(row):
+        if row["anchor_kn"] is not None:
+            return row["anchor_kn"]
+        return 1e-3 * anchor(assessment, thickness_at(facade, row["height_m"])).force_n
+
+    ties = [{**row, "anchor_kn": held_kn(row)} for row in facade["ties"]]
+    return {**facade, "ties": ties}
 
 
 def completed_settings(settings):

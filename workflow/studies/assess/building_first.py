@@ -6,11 +6,11 @@ fallen where a storey comes to `smdof.fallen_drift_ratio`.
 
 import numpy as np
 import pandas as pd
-from rocking.risk.fragility import bootstrap, brackets_about, fit
 from rocking.stations import FEWEST
 
 from studies.assess.comparison import EXACT
 from studies.assess.dynamic_answer import CONFIDENCE
+from studies.shared.fragility import bootstrap, brackets_about, fit
 
 COLUMNS = ["model", "curves", "stations", "building_median_g", "building_dispersion"]
 COLUMNS += ["building_fell_at_demand", "building_probability", "building_low", "building_high"]

@@ -8,6 +8,7 @@ from studies.assess.demand import RecordDemand, floor_demand
 from studies.assess.family import Family
 from studies.assess.rocking_block import overturning_pga
 from studies.assess.slv import Slv, read_as
+from yade_scripts.model.facades import Facade
 from yade_scripts.model.motion import SIGNS
 
 CHECKS = (  # keys of the tables; their names are `table.check` of the catalogue
@@ -32,22 +33,22 @@ def code_checks(candidate, sections, demand, confidence_factor=None):
     are facade, smdof and assessment of a configuration. FC is as stated, but that of knowledge
     level 1 where the hinge does not crush.
     """
-    facade, settings = sections["facade"], sections["assessment"]
+    facade, settings = Facade.of(sections["facade"]), sections["assessment"]
     mechanism, place, t0 = candidate.mechanism, candidate.place, candidate.t0_s
     inset, q = settings["hinge_inset_m"], settings["behaviour_factor"]
     fc = confidence_factor or checks.confidence(settings["confidence_factor"], inset)
     places = Slv(sections, demand).places(candidate)
-    found = {}
+    by_check = {}
     for key, (at, where) in places.items():
-        found[f"linear_{key}"] = checks.linear(
+        by_check[f"linear_{key}"] = checks.linear(
             mechanism, at, where, confidence_factor=fc, behaviour=q, t0_s=t0
         )
         for limit in checks.LIMITS:
-            found[f"{limit.lower()}_{key}"] = checks.nonlinear(
+            by_check[f"{limit.lower()}_{key}"] = checks.nonlinear(
                 mechanism, at, where, limit, confidence_factor=fc, t0_s=t0
             )
         for limit in checks.EUROCODE:
-            found[f"en_{limit.lower()}_{key}"] = checks.eurocode(
+            by_check[f"en_{limit.lower()}_{key}"] = checks.eurocode(
                 mechanism,
                 at,
                 where,
@@ -55,24 +56,24 @@ def code_checks(candidate, sections, demand, confidence_factor=None):
                 knowledge=settings["knowledge_level"],
                 crushes=inset > 0.0,
             )
-    slow = next(v for s, _, v, _ in found["slv_height"].steps if s == "T_SLV")
-    high = facade["base_height_m"] + facade["height_m"]
+    slow = next(v for s, _, v, _ in by_check["slv_height"].steps if s == "T_SLV")
+    high = facade.base_height_m + facade.height_m
     rows = [("parts_height", place * high, 0.0), ("parts_slow", place * high, slow)]
     if candidate.on_ground:
         rows.insert(0, ("parts_ground", 0.0, 0.0))
     for key, height, period in rows:
-        found[key] = checks.parts(
+        by_check[key] = checks.parts(
             mechanism, demand, height, high, period, response_factor=settings["response_factor"]
         )
     if candidate.foot_m == 0.0 and candidate.on_ground:
-        found["housner"] = checks.housner(facade["height_m"], facade["thickness_m"], demand)
-    return found
+        by_check["housner"] = checks.housner(facade.height_m, facade.thickness_m, demand)
+    return by_check
 
 
-def least(found, limit="slv"):
+def least(by_check, limit="slv"):
     """PGA at which the non-linear check fails, of ground and floor the less [g]."""
     keys = (f"{limit}_ground", f"{limit}_height")
-    return min(found[key].failing_pga_g for key in keys if key in found)
+    return min(by_check[key].failing_pga_g for key in keys if key in by_check)
 
 
 def family_of(sections, demand):
@@ -86,10 +87,10 @@ def governing(candidates, sections, demand):
     Each as it counts (`slv.readings`).
     """
     rows, slv = [], Slv(sections, demand)
-    for one in candidates:
-        read = read_as(one, slv.reading(one))
-        found = code_checks(read, sections, demand)
-        rows.append((least(found), read, found))
+    for candidate in candidates:
+        read = read_as(candidate, slv.reading(candidate))
+        by_check = code_checks(read, sections, demand)
+        rows.append((least(by_check), read, by_check))
     return sorted(rows, key=lambda row: row[0])
 
 
@@ -107,12 +108,12 @@ def failing_pga(whole, sections, record, directions, max_pga_g):
     answer depends on the direction; NaN where it stands up to `max_pga_g`. Rows are (direction,
     key, pga_g).
     """
-    facade, chain = sections["facade"], sections["smdof"]
+    facade, chain = Facade.of(sections["facade"]), sections["smdof"]
     demand = RecordDemand(record.acceleration_m_s2, record.dt_s)
-    own = code_checks(whole, sections, demand, 1.0)
-    alike = {key: check.failing_pga_g for key, check in own.items() if key in CHECKS}
+    by_code = code_checks(whole, sections, demand, 1.0)
+    alike = {key: check.failing_pga_g for key, check in by_code.items() if key in CHECKS}
     for limit in ("slv", "slc"):  # whoever applies both takes the larger demand
-        alike[f"{limit}_both"] = least(own, limit)
+        alike[f"{limit}_both"] = least(by_code, limit)
     known = code_checks(whole, sections, demand, checks.LEAST_KNOWN)
     alike["slv_both_fc"] = least(known)
     old = floor_demand(demand, whole.place, chain, modes="all", bounded=False)
@@ -129,8 +130,8 @@ def failing_pga(whole, sections, record, directions, max_pga_g):
         alone = overturning_pga(
             record.acceleration_m_s2,
             record.dt_s,
-            facade["height_m"],
-            facade["thickness_m"],
+            facade.height_m,
+            facade.thickness_m,
             SIGNS[direction],
             max_pga_g,
         )

@@ -9,10 +9,10 @@ import math
 
 import numpy as np
 import pandas as pd
-from rocking.risk.fragility import fit
 from rocking.stations import FEWEST, interval, resampled
 from rocking.tables import read_frame, read_tables
 
+from studies.shared.fragility import fit
 from yade_scripts.model import registry
 
 EXACT = 1e-6  # relative half width of the interval that stands for an exact ratio

@@ -2,11 +2,11 @@
 
 import numpy as np
 import pandas as pd
-from rocking.risk.fragility import bootstrap, brackets_about, fit, points
-from rocking.risk.rates import collapse_rate
 from rocking.stations import FEWEST
 
 from studies.assess.comparison import EXACT
+from studies.shared.fragility import bootstrap, brackets_about, fit, points
+from studies.shared.rates import collapse_rate
 
 POINTS, REACH = 101, 3.0  # of a curve; dispersions either side of the median
 CONFIDENCE = 0.95

@@ -6,10 +6,10 @@ from importlib.util import find_spec
 
 from rocking.configuration.config import Settings
 from rocking.configuration.differences import flat
-from rocking.risk.hazard import read_hazard
 
 from studies.assess import national
 from studies.assess.site import pga_at, read_spectrum
+from studies.shared.hazard import read_hazard
 from yade_scripts.lists import listed
 from yade_scripts.model.registry import MODELS
 

@@ -9,9 +9,9 @@ the rows are a hazard curve as well as spectra.
 import math
 
 import numpy as np
-from rocking.risk.hazard import Hazard
 
 from studies.assess.code_spectrum import CodeDemand
+from studies.shared.hazard import Hazard
 
 PARAMETERS = ("ag_g", "f0", "tc_star_s")
 PERIOD = "return_period_years"

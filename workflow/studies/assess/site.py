@@ -4,12 +4,12 @@ import math
 from pathlib import Path
 
 import numpy as np
-from rocking.records.text import read_text
-from rocking.risk.hazard import read_hazard
 
+from record_files.text import read_text
 from studies.assess import national
 from studies.assess.code_spectrum import EurocodeDemand
 from studies.assess.demand import RecordDemand, TableDemand
+from studies.shared.hazard import read_hazard
 
 COLUMNS = ("period_s", "sa_g")
 LONGEST = 10_000

@@ -7,7 +7,7 @@ A tie or an anchor that gives way early may be left out of a mechanism (`reading
 takes d_SLV as the least of 0.4 d0 and of the displacement at which a link's failure takes more than
 half of the largest acceleration. So a façade with a brittle tie may fail at a lower PGA than the
 same façade without it. But 0.4 d0 is asked of a curve "with those actions alone whose presence is
-verified until collapse": a link that gives way before is none of these. It only ever pulls back, so
+verified until collapse": a link that gives way before is not one. It only ever pulls back, so
 the curve without it lies nowhere above the curve with it, and the check of that curve holds for the
 façade with the link. Both numbers are told, and the larger counts.
 """

@@ -34,6 +34,7 @@ from studies.assess.sites import LEAST_PART_M
 from studies.assess.slv import Slv, read_as
 from studies.assess.ties_built import built
 from studies.assess.ties_grown import LEAST_SHARE, MOST_SHARE, grown, lowered, with_force
+from yade_scripts.model.facades import Facade
 
 CLOSE = 0.005  # relative, of a row's least force
 WEAKER = 0.99  # a place is weaker than those that are known from here on
@@ -62,6 +63,7 @@ class Tied:
     def __init__(self, sections, demand):
         """Keep what every trial takes."""
         self.sections, self.demand = sections, demand
+        self.facade = Facade.of(sections["facade"])
         self.slv = Slv(sections, demand)
         self.weight_n = Family(sections).masonry.weight_n
         self._known: dict[tuple, tuple] = {}  # feet and spans by heights of the rows
@@ -72,12 +74,12 @@ class Tied:
 
     def anchor(self, height_m):
         """`anchors.Anchor` of a row at a height."""
-        own, facade = self.sections["assessment"], self.sections["facade"]
-        return anchors.anchor(own, anchors.thickness_at(facade, height_m))
+        thickness_m = anchors.thickness_at(self.facade, height_m)
+        return anchors.anchor(self.sections["assessment"], thickness_m)
 
     def most(self, height_m):
         """Anchors that fit into a row at a height, at least one."""
-        return anchors.most_in_a_row(self.sections["assessment"], self.sections["facade"], height_m)
+        return anchors.most_in_a_row(self.sections["assessment"], self.facade, height_m)
 
     def most_n(self, height_m):
         """Force of the strongest row at a height [N]: what its anchors hold."""
@@ -85,7 +87,7 @@ class Tied:
 
     def rods(self):
         """Section strengthening with the length of rods that are recommended."""
-        length = self.sections["assessment"]["tie_length_m"] or self.sections["facade"]["width_m"]
+        length = self.sections["assessment"]["tie_length_m"] or self.facade.width_m
         return {**self.sections["strengthening"], "length_m": length}
 
     def count(self, row):
@@ -97,9 +99,9 @@ class Tied:
 
     def entry(self, row):
         """Entry of facade.ties for a row."""
-        own = {**self.rods(), "count": self.count(row)}
-        found = row_of_rods(own, row.height_m, 1e-3 * row.force_n)
-        return {**found, "anchor_kn": 1e-3 * self.anchor(row.height_m).force_n}
+        rods = {**self.rods(), "count": self.count(row)}
+        entry = row_of_rods(rods, row.height_m, 1e-3 * row.force_n)
+        return {**entry, "anchor_kn": 1e-3 * self.anchor(row.height_m).force_n}
 
     def entries(self, rows):
         """Entries of facade.ties for rows, those without force left out."""
@@ -251,20 +253,19 @@ def levels_of(sections):
 
     Of heights nearer than `LEAST_PART_M` the higher; none below that or above the return walls.
     """
-    facade, stated = sections["facade"], sections["assessment"]["tie_levels_m"]
+    facade, stated = Facade.of(sections["facade"]), sections["assessment"]["tie_levels_m"]
     if stated is not None:
         return list(stated)
-    top = facade["height_m"]
-    found = [top]
-    for z in sorted((row["height_m"] for row in facade["floors"]), reverse=True):
-        if LEAST_PART_M <= z <= found[-1] - LEAST_PART_M:
-            found.append(z)
-    return found[::-1]
+    downward = [facade.height_m]
+    for z in sorted((floor.height_m for floor in facade.floors), reverse=True):
+        if LEAST_PART_M <= z <= downward[-1] - LEAST_PART_M:
+            downward.append(z)
+    return downward[::-1]
 
 
 def check_levels(sections):
     """Refuse stated levels at which no return wall stands, by a ValueError of one line."""
-    top = sections["facade"]["height_m"]
+    top = Facade.of(sections["facade"]).height_m
     for z in sections["assessment"]["tie_levels_m"] or ():
         if z > top:
             raise ValueError(
@@ -283,7 +284,7 @@ def _halved(holds, low, high):
     return high
 
 
-class Found(NamedTuple):
+class Recommended(NamedTuple):
     """Rows of ties that a façade is recommended: one `TieRow` at each level, 0 N for none.
 
     There none is needed, or none helps.
@@ -298,8 +299,8 @@ class Found(NamedTuple):
     alone: dict  # by other model the forces that it asks for by itself [N]; None where none holds
 
 
-def found(tied, shaken, say=lambda text: None):
-    """Rows with which a façade passes by hand and under the chosen motions, as `Found`.
+def recommended(tied, shaken, say=lambda text: None):
+    """Rows with which a façade passes by hand and under the chosen motions, as `Recommended`.
 
     `tied` is a `Tied`, `shaken` its `Shaken`, or None where no motions were chosen: by hand alone
     then. `say` receives a line a trial.
@@ -322,7 +323,7 @@ def found(tied, shaken, say=lambda text: None):
         alone = _alone(shaken, rows, say)
         shaken.left = set(beyond)
     made, holds = built(tied, rows, beyond, shaken, say)
-    return Found(rows, by_hand, beyond, why, made, holds, alone)
+    return Recommended(rows, by_hand, beyond, why, made, holds, alone)
 
 
 def _alone(shaken, rows, say):

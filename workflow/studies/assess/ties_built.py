@@ -63,7 +63,8 @@ def built(tied, rows, beyond, shaken, say=lambda text: None):
 def held_by(mechanism, rows):
     """Indices of the rows that pull on a mechanism by hand, the highest first.
 
-    Read off its own pulls: a row at or below its foot, or where it is kept in place, is none.
+    Read off its own pulls: a row at or below its foot, or where it is kept in
+    place, does not pull.
     """
     pulled = [float(p.path(0.0)[1].real) for p in mechanism.pulls if p.force_n > 0.0]
     own = [

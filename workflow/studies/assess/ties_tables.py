@@ -25,7 +25,7 @@ AFTER += ["exceed_d0", "mean_d_m", "d_slv_m", "holds"]
 
 
 def table_of(tied, result, relied=""):
-    """Rows of `ties.Found` as a table, with rods and anchors as they are recommended (ROWS).
+    """Rows of `ties.Recommended` as a table, with rods and anchors as they are recommended (ROWS).
 
     `relied` is the model that they are for; it is empty without the dynamic check.
     """

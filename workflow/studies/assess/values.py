@@ -8,6 +8,7 @@ from rocking.mechanics.beta import CalibrationError, beta_and_range
 from studies.assess.catalogue import NOTHING, SAY
 from studies.assess.checks import LEAST_KNOWN, confidence
 from studies.assess.inputs import every_value
+from yade_scripts.model.facades import Facade
 
 SECTIONS = (
     "facade",
@@ -39,43 +40,43 @@ def _told(value, say):
 
 def _derived(config, say):
     """What stands for keys that are null, or is not used as stated: text by key."""
-    f, own, chain = config["facade"], config["assessment"], config["smdof"]
-    loads_kn = float(sum(row["load_kn"] for row in f["floors"]))
+    facade, assessment = Facade.of(config["facade"]), config["assessment"]
+    loads_kn = float(sum(floor.load_kn for floor in facade.floors))
 
     def told(key, **about):
         return say(f"hand.value.{key}", **about)
 
-    found = {
-        "facade.base_stiffness_pa_m": told("base", value=1e6 * f["e_mpa"] / f["height_m"]),
+    known = {
+        "facade.base_stiffness_pa_m": told("base", value=1e6 * facade.e_mpa / facade.height_m),
         "facade.parapet_thickness_m": told("parapet"),
-        "return_wall.length_m": told("wall", value=0.5 * f["height_m"]),
+        "return_wall.length_m": told("wall", value=0.5 * facade.height_m),
         "return_wall.building_mass_kg": told("mass"),
         **{f"numerics.{key}": told("convergence") for key in CHOSEN},
         "assessment.roof_load_kn": told("roof", value=loads_kn),
         "assessment.roof_arm_m": told("arm"),
         "assessment.height_ratio": told("ratio"),
-        "assessment.building_damping": told("damping", value=chain["damping_ratio"]),
+        "assessment.building_damping": told("damping", value=config["smdof"]["damping_ratio"]),
         "assessment.match_high_s": told("match"),
     }
     law = config["damping"]["law"]
     if law != "value":
         beta, outside = beta_and_range(config)
-        found["damping.beta_s"] = told("beta_outside" if outside else "beta", value=beta, law=law)
-    stated = own["confidence_factor"]
-    if confidence(stated, own["hinge_inset_m"]) != stated:
-        found["assessment.confidence_factor"] = told("confidence", used=LEAST_KNOWN, stated=stated)
-    return found
+        known["damping.beta_s"] = told("beta_outside" if outside else "beta", value=beta, law=law)
+    stated = assessment["confidence_factor"]
+    if confidence(stated, assessment["hinge_inset_m"]) != stated:
+        known["assessment.confidence_factor"] = told("confidence", used=LEAST_KNOWN, stated=stated)
+    return known
 
 
 def _beside_eq5(config, say):
     """A β that is given as a value, beside what eq. 5 says of this façade."""
-    own = config["damping"]["beta_s"]
+    given = config["damping"]["beta_s"]
     try:
         beta, outside = beta_and_range(config | {"damping": {"law": "eq5"}})
     except CalibrationError:
-        return say("hand.value.beta_alone", own=own)
+        return say("hand.value.beta_alone", own=given)
     key = "hand.value.beta_given_outside" if outside else "hand.value.beta_given"
-    return say(key, own=own, value=beta)
+    return say(key, own=given, value=beta)
 
 
 def values(config, given, say=SAY):
@@ -98,7 +99,7 @@ def values(config, given, say=SAY):
             rows.append((key, say(f"hand.value.{IN_ROWS[last]}"), DERIVED))
             continue
         told = _told(value, say)
-        if key == "damping.beta_s" and config["facade"]["sides"] == "one":
+        if key == "damping.beta_s" and not Facade.of(config["facade"]).is_free:
             told = _beside_eq5(config, say)
         rows.append((key, told, STATED if stated else DEFAULT))
     return rows

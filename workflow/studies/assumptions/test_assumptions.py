@@ -112,7 +112,7 @@ def test_a_building_has_the_façade_s_mass_over_the_ratio():
 
 
 def test_every_pair_of_couplings_stands_once_and_then_each_over_the_reference():
-    """W1 has no walls that move: its own counterpart is none."""
+    """W1 has no walls that move, and so no counterpart."""
     pga_g = {"W1": 0.4, "W2": 0.2, "W2m": 0.3, "other": 0.1}
     rows = [
         {"model": m, "record": "R", "direction": "pos", "pga_median_g": v} for m, v in pga_g.items()

@@ -14,8 +14,9 @@ import math
 import numpy as np
 import pandas as pd
 from rocking.formula import groups, law
-from rocking.risk.fragility import Fragility
 from scipy.special import ndtr, ndtri
+
+from studies.shared.fragility import Fragility
 
 COLUMNS = ["model", "measure", "median", "dispersion", "by_facade", "by_motion", "by_formula"]
 COLUMNS += ["n", "n_outside"]

@@ -1,8 +1,7 @@
 """What the study's section 2 says of the building, as statements that a run can bear out or not."""
 
-from rocking.statements import OURS, STUDY, statement
-
 from studies.building.comparison import PAPER_WME
+from studies.shared.statements import OURS, STUDY, statement
 
 PERIOD_TOLERANCE_S = 0.01  # ours: the last digit of the study's periods
 DIFFERENCE_S = 0.025  # the study's 0.02 s with half the last digit of both periods
@@ -22,7 +21,7 @@ def principal(modes, model, direction):
 
 
 def evaluate(modes, wme, explicit):
-    """Rows (`rocking.statements`) of every claim of section 2.
+    """Rows (`studies.shared.statements`) of every claim of section 2.
 
     Tables are building_modes.csv, wme.csv, and building_explicit_{record}.csv by record.
     """

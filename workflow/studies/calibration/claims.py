@@ -6,11 +6,11 @@ another is named; of the test itself the text states only the ranges in `TARGETS
 
 import numpy as np
 from rocking.mechanics import closed_forms
-from rocking.mechanics.restitution import IMPACTS, TARGETS
-from rocking.statements import OURS, STUDY, statement
 
 from studies.calibration import FREE_ROCKING_HIGH_S, FREE_ROCKING_LOW_S
 from studies.calibration.free_rocking import best_fit
+from studies.shared.restitution import IMPACTS, TARGETS
+from studies.shared.statements import OURS, STUDY, statement
 
 LOW, HIGH = FREE_ROCKING_LOW_S, FREE_ROCKING_HIGH_S
 TEST_BETA_S = 0.001  # that "showed similar damped motion as the experiments"
@@ -57,7 +57,7 @@ def _closest(betas, ratio, impacts):
 
 
 def evaluate(free, fits, walls, wall="sorrentino", release=0.5):
-    """Rows (`rocking.statements`) of every claim of section 3.
+    """Rows (`studies.shared.statements`) of every claim of section 3.
 
     Tables are free_rocking.csv, beta_fit.csv and beta_walls.csv; `wall` is the tested one's name in
     the first, `release` θ0/α at which it was released.

@@ -6,10 +6,10 @@ import numpy as np
 import pandas as pd
 from rocking.mechanics import beta as calibration
 from rocking.mechanics import closed_forms
-from rocking.mechanics.restitution import TARGETS, misfit, read_archive
 
 from studies.calibration import free_rocking as study
 from studies.calibration.laws import GROUPS
+from studies.shared.restitution import TARGETS, misfit, read_archive
 from yade_scripts.files import read_json
 
 COLUMNS = (
@@ -50,7 +50,7 @@ def printed(facade):
 
 
 def remark_on(fit, nowhere, at_edge):
-    """Words on a fit that is none, or that lies at an end."""
+    """Words on a fit that failed, or that lies at an end of the range."""
     if not math.isfinite(fit["beta_s"]):
         return nowhere
     return at_edge if fit["at_edge"] else ""

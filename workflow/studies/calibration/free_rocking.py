@@ -7,8 +7,8 @@ import numpy as np
 from rocking.configuration.config import resolve
 from rocking.mechanics import beta as calibration
 from rocking.mechanics import closed_forms
-from rocking.mechanics.restitution import IMPACTS, TARGETS, e_exp, e_one_sided, misfit, rebounds
 
+from studies.shared.restitution import IMPACTS, TARGETS, e_exp, e_one_sided, misfit, rebounds
 from yade_scripts.model.facade import joint_stiffness
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, Interface, NodeList, Scene, box_inertia

@@ -10,8 +10,8 @@ from xml.sax.saxutils import quoteattr
 
 import meshio
 import numpy as np
-from rocking.figures.pictures import boxes, corners, turned
 
+from studies.shared.drawings import boxes, corners, turned
 from yade_scripts.model.facades import Facade
 
 
@@ -20,7 +20,7 @@ def blocks(frames, frame, walls, config):
 
     Its points are where they are in the frame of the motion's origin [m], with displacement_m and
     velocity_m_s; its cells have block (index in the scene), free and spin_rad_s. Frames are of
-    `yade_scripts.commands.frames` with contacts, `walls` is the number of return walls, `config`
+    `studies.shared.yade.frames` with contacts, `walls` is the number of return walls, `config`
     has sections facade, return_wall, w3.
     """
     moved, rates = (np.array(frames[key][frame], float) for key in ("moved", "velocity"))

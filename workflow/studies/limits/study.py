@@ -25,9 +25,9 @@ from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
 from rocking.configuration.schema import ConfigError
 from rocking.configuration.study import as_in_the_study
-from rocking.reference.facade import answers
 from rocking.solver.runs import STEP_FRACTION
 
+from reference_solver.facade import answers
 from yade_scripts.model.registry import REFERENCE_MODELS
 
 SHARES = (0.5, 0.8)  # of the lowest collapse

@@ -5,10 +5,10 @@ import tempfile
 
 import numpy as np
 from rocking.collapse.yade import run_yade
-from rocking.reference import SupportTable, Wall
-from rocking.reference.batch import simulate_batch
 from rocking.tables import write_json
 
+from reference_solver import SupportTable, Wall
+from reference_solver.batch import simulate_batch
 from studies.overturning import blocks, geometry
 from studies.overturning.table import STEP_S
 from yade_scripts.files import read_json

@@ -10,9 +10,9 @@ import pytest
 import yaml
 from rocking.configuration.config import ConfigError
 from rocking.mechanics.closed_forms import restitution_housner
-from rocking.reference import simulate
 from rocking.solver import Motions, history, peaks, stable_step, to_plane
 
+from reference_solver import simulate
 from studies.overturning import (
     blocks,
     draws,

@@ -10,7 +10,8 @@ Claims are made for surrogates and for recorded motions separately.
 import numpy as np
 import pandas as pd
 from rocking.collapse.probability import half_collapse, one_number
-from rocking.statements import COLUMNS, OURS, STUDY, statement
+
+from studies.shared.statements import COLUMNS, OURS, STUDY, statement
 
 MARGINAL = ("BUCAR0-", "BUCAR0+", "1ST280-", "HVSC1+", "RRS228+")
 # ours: "matched well" and "much higher", as ratios to the pushover; "did not help", W2c over W2;

@@ -123,7 +123,7 @@ def errors(data, tables):
 def collapse(data, tables):
     """Figure 9 in numbers: the PGA by which curves are compared, half collapse beside it.
 
-    With the source of each curve's motion: a surrogate's is none of the study's.
+    With the source of each curve's motion, for a surrogate only stands for one of the study's.
     """
     table = tables.get("ida_collapse")
     if table is None:

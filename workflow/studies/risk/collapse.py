@@ -2,7 +2,8 @@
 
 import numpy as np
 from rocking import stations
-from rocking.risk import fragility, rates
+
+from studies.shared import fragility, rates
 
 MUCH = 0.1  # share of the rate from beyond the hazard table, or from above all runs: worth a word
 COLUMNS = ["model", "im", "median", "dispersion", "annual_rate", "rate_low", "rate_high"]

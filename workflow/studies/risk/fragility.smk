@@ -1,6 +1,6 @@
 # Fragility curves of the run's collapse intensities, efficiency of intensity measures, and the fragilities
 # as OpenQuake reads them. Not part of the main job; ask for `fragility`.
-from rocking.risk.hazard import imt_of
+from studies.shared.hazard import imt_of
 
 
 wildcard_constraints:

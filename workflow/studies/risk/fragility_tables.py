@@ -5,7 +5,8 @@ import pandas as pd
 from rocking import stations
 from rocking.collapse import probability
 from rocking.collapse.equivalent import cells
-from rocking.risk import fragility, sufficiency
+
+from studies.shared import fragility, sufficiency
 
 POINTS = 121
 REACH = 3.5  # dispersions either side of the median

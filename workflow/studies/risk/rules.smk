@@ -1,6 +1,6 @@
 # Rate of collapse at a site, from a hazard curve and the fragility of the run.
 # Ask for `risk`, with `risk: {hazard: <file>}`.
-from rocking.risk.hazard import HazardError
+from studies.shared.hazard import HazardError
 from studies.risk.stated import stated_hazard
 
 

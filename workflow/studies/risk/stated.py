@@ -1,8 +1,7 @@
 """The hazard curve that a run states."""
 
-from rocking.records.errors import RecordError
-from rocking.risk.hazard import HazardError, read_hazard
-
+from record_files.errors import RecordError
+from studies.shared.hazard import HazardError, read_hazard
 from yade_scripts.lists import listed
 
 

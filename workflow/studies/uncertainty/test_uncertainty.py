@@ -13,11 +13,11 @@ from rocking.collapse.case import LAW_FILE
 from rocking.collapse.scan import Screen
 from rocking.configuration.config import ConfigError
 from rocking.mechanics.beta import beta_for
-from rocking.risk import fragility
 from rocking.runs import Runs
 from study_cases import study_settings
 from yade_process import resolved, run_study
 
+from studies.shared import fragility
 from studies.uncertainty import design, parts, sampling
 from studies.uncertainty.design import sampled_motions
 from yade_scripts.model.facade import joint_stiffness

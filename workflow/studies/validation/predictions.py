@@ -32,11 +32,11 @@ import yaml
 from rocking.collapse.scan import driving
 from rocking.collapse.yade import run_yade
 from rocking.configuration.config import ConfigError
-from rocking.mechanics.restitution import read_archive
 from rocking.records import load
 from rocking.solver import Motions, history, peaks, to_plane
 from rocking.tables import read_frame, write_json
 
+from studies.shared.restitution import read_archive
 from studies.validation import specimens
 from studies.validation.predicted_motions import SUITE, foot_and_top_files, shifted, table_motion
 from studies.validation.study import (
@@ -291,7 +291,7 @@ def score(folder):
     foreseen is the sum of probabilities; brier the mean of (probability − outcome)², 0.25 for a
     coin; likelihood the geometric mean of the probability of what happened, with one more stand and
     fall than was computed, so that a member less or more does not make it 0. ConfigError if the
-    stated parameters or the table were changed, or an outcome is none.
+    stated parameters or the table were changed, or an outcome is no number.
     """
     folder = Path(folder)
     for name, same in unchanged(folder).items():

@@ -13,10 +13,10 @@ import yaml
 from forked import snakemake
 from rocking.configuration.config import ConfigError
 from rocking.mechanics import closed_forms
-from rocking.mechanics.restitution import TARGETS, e_exp, e_one_sided, rebounds
 from rocking.solver import Motions, history, peaks, stable_step, to_plane
 from run_script import script
 
+from studies.shared.restitution import TARGETS, e_exp, e_one_sided, rebounds
 from studies.validation import specimens
 from studies.validation import study as validation
 from studies.validation.study import ALONE, SEQUENCE

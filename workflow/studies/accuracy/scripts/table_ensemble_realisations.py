@@ -2,10 +2,11 @@
 
 import numpy as np
 from rocking.collapse.ida import by_curve
-from rocking.reference.facade import ensemble_peaks
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
 from studies.accuracy.ensemble import realisations_needed
+
+from reference_solver.facade import ensemble_peaks
 
 TOLERANCE = 0.05  # half width of the interval about the median of d/b
 LEVELS = 2

@@ -3,11 +3,11 @@
 import json
 
 from rocking.records import load_as
-from rocking.risk.sufficiency import properties
 from rocking.runtime.script import run
 from rocking.tables import write_table
 from studies.assess.anchors import completed_settings
 from studies.assess.code_checks import failing_pga, mechanism_of, pulse_share
+from studies.shared.sufficiency import properties
 
 
 def main(job):

@@ -8,14 +8,14 @@ import json
 from pathlib import Path
 
 import pandas as pd
-from rocking.risk.hazard import read_hazard
-from rocking.risk.rates import probability_within
 from rocking.runtime.script import run
 from rocking.tables import read_frame, read_tables, together, write_table
 from studies.assess import building_first
 from studies.assess.dynamic_answer import CURVES, LEFT_OUT, RATES, answer, left_out, weakest
 from studies.assess.site import hazards_of
 from studies.assess.sites import WHOLE_PART
+from studies.shared.hazard import read_hazard
+from studies.shared.rates import probability_within
 
 
 def main(job):

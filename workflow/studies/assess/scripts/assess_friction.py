@@ -12,7 +12,6 @@ from pathlib import Path
 import pandas as pd
 from rocking import Case, Motion
 from rocking.records import load_as, measures
-from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
 from rocking.tables import read_frame, read_tables, together, write_table
 from studies.assess.collapses import by_part
@@ -21,6 +20,7 @@ from studies.assess.dynamic_check import decided, surely
 from studies.assess.shaken import cases, limits_by_part, rubs, settled
 from studies.assess.site import hazards_of
 from studies.assess.sites import WHOLE_PART
+from studies.shared.hazard import read_hazard
 
 CHECK = ["model", "friction", "checked", "not_held"]
 STANDS = 0.9  # of where a mechanism falls without the friction, from where it is followed with it

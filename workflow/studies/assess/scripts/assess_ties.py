@@ -51,7 +51,7 @@ def _added(job, many, at_once):
         with open(str(job.log), "a", encoding="utf-8") as log:
             log.write(f"{text}\n")
 
-    found = ties.found(tied, shaken, say)
+    found = ties.recommended(tied, shaken, say)
     write_table(ties_tables.table_of(tied, found, relied), job.output.rows, ties_tables.ROWS)
     write_table(ties_tables.of_models(found), job.output.models, ties_tables.MODELS)
     write_table(ties_tables.after(tied, found, shaken), job.output.after, ties_tables.AFTER)

@@ -4,12 +4,12 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.records import Record
-from rocking.risk.hazard import Hazard
 from studies.assess import inputs
 from studies.assess.demand import RecordDemand, floor_demand
 from studies.assess.floor_spectra import formula_and_exact, spread
 from studies.assess.site import SpectrumError, at_pga, pga_at, read_spectrum, shapes
 from studies.assess.values import values
+from studies.shared.hazard import Hazard
 from study_cases import study_settings
 
 CHAIN = {

@@ -19,7 +19,7 @@ def test_what_a_mechanism_fails_at_over_the_demand_with_and_without_rows():
     least_g = []
     for added in ([], rows):
         forces = [row.force_n for row in added]
-        result = ties.Found(added, forces, [], [None] * len(added), added, True, {})
+        result = ties.Recommended(added, forces, [], [None] * len(added), added, True, {})
         table = pd.DataFrame(ties_tables.after(tied, result, None))
         fails_g = (demand.pga_g * table["ratio"]).to_numpy()
         assert fails_g == pytest.approx(table["pga_fails_g"].to_numpy())

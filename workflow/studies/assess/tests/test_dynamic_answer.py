@@ -3,8 +3,8 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.risk.hazard import Hazard
 from studies.assess.dynamic_answer import answer
+from studies.shared.hazard import Hazard
 
 K0, K = 2e-4, 2.3
 HAZARD = Hazard("pga_g", np.array([0.1, 1.0]), K0 * np.array([0.1, 1.0]) ** -K)

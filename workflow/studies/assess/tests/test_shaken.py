@@ -5,12 +5,12 @@ import pandas as pd
 import pytest
 from rocking import Motion
 from rocking.collapse import curve, scan, search
-from rocking.risk.hazard import Hazard
 from studies.assess import collapses, shaken
 from studies.assess.code_checks import family_of, governing
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.dynamic_answer import left_out
 from studies.assess.national import return_period_of
+from studies.shared.hazard import Hazard
 from study_cases import study_case, study_settings
 
 DEMAND = CodeDemand(0.16, 2.5, 0.31, "C")

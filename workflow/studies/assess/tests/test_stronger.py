@@ -5,13 +5,13 @@ import pandas as pd
 import pytest
 from drawn_facades import several
 from rocking import Motion
-from rocking.risk.hazard import Hazard
 from studies.assess.anchors import completed_settings
 from studies.assess.code_checks import family_of, governing
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.collapses import by_part
 from studies.assess.dynamic_answer import answer, weakest
 from studies.assess.shaken import cases, chosen, settled
+from studies.shared.hazard import Hazard
 from study_cases import study_case, study_settings
 
 TABLE = "config/suites/recorded_suite.tsv"

@@ -269,7 +269,7 @@ def test_the_table_has_what_fails_with_less_and_rods_whose_anchors_hold():
     rows = [ties.TieRow(z, f) for z, f in ((2.0, 0.0), (3.0, 5e3), (6.0, 40e3))]
     why = [None, ties_grown.BY_HAND, failing]
     made = [row if not row.force_n else ties_built.in_steel(tied, row, row.force_n) for row in rows]
-    found = ties.Found(rows, [0.0, 4e3, 0.0], [], why, made, True, {"W1": [0.0, 0.0, 7e3]})
+    found = ties.Recommended(rows, [0.0, 4e3, 0.0], [], why, made, True, {"W1": [0.0, 0.0, 7e3]})
     table = ties_tables.table_of(tied, found, "W2m")
     assert [row["height_m"] for row in table] == [3.0, 6.0]
     assert [row["governed_by"] for row in table] == ["", "part above 6 m"]
@@ -374,11 +374,11 @@ def test_the_dynamic_check_of_a_tied_facade_holds_at_the_end_and_not_one_step_be
     table = "config/suites/recorded_suite.tsv"
     motions = [(Motion.named(name, table), 0.5) for name in ("IS101_Lo", "GMN_NS")]
     shaken = ties_shaken.Shaken([case], tied, motions, ["neg"])
-    found = ties.found(tied, shaken)
+    found = ties.recommended(tied, shaken)
     assert found.rows
     with ThreadPoolExecutor(2) as pool:  # the same trials in the same order
         beside = ties_shaken.Shaken([case], tied, motions, ["neg"], pool.map, 2)
-        assert ties.found(tied, beside) == found
+        assert ties.recommended(tied, beside) == found
     assert pd.DataFrame(beside.rows).equals(pd.DataFrame(shaken.rows))
     for rows in (found.rows, found.built):
         final = shaken.everything(rows)

@@ -146,13 +146,14 @@ if __name__ == "__main__":
     from rocking.configuration import config
     from rocking.records import load
     from rocking.records.floors import chain_motions
-    from rocking.records.record import Record
     from rocking.records.table import read_table
     from studies.assess import checks
     from studies.assess.demand import RecordDemand
     from studies.assess.family import Family
     from studies.assess.slv import Slv
     from yade_process import in_yade
+
+    from record_files.record import Record
 
     SMDOF = config.resolve({})["smdof"]
     SMDOF_DENSITY = config.resolve({})["facade"]["density_kg_m3"]

@@ -50,7 +50,6 @@ def mechanisms_of(given, model, motions, stations, most_g=2.0):
     from rocking.collapse.quick import crossings_of
     from rocking.configuration import config
     from rocking.records import measures
-    from rocking.risk.fragility import Fragility, brackets_about, fit
     from studies.assess import selection
     from studies.assess.anchors import completed_settings
     from studies.assess.code_checks import family_of, governing
@@ -58,6 +57,7 @@ def mechanisms_of(given, model, motions, stations, most_g=2.0):
     from studies.assess.comparison import EXACT
     from studies.assess.dynamic_check import checked, surely, verdict
     from studies.assess.shaken import cases, chosen, limits_by_part, settled
+    from studies.shared.fragility import Fragility, brackets_about, fit
 
     resolved = completed_settings(config.resolve({**given, "damping": {"law": "eq5"}}))
     own = resolved["assessment"]

@@ -3,11 +3,11 @@
 from pathlib import Path
 
 from rocking.formula.law import base_of, read
-from rocking.risk.hazard import imt_of
-from rocking.risk.nrml import document
 from rocking.runtime.script import run
 from rocking.tables import write_table
 from studies.atlas import classes
+from studies.shared.hazard import imt_of
+from studies.shared.nrml import document
 
 
 def main(job):

@@ -3,8 +3,8 @@
 from pathlib import Path
 
 from rocking.formula.law import read
-from rocking.formula.page import page
 from rocking.runtime.script import run
+from studies.atlas.page import page
 
 
 def main(job):

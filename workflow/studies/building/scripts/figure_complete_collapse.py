@@ -4,10 +4,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
 from rocking.figures import style
-from rocking.figures.pictures import outline
 from rocking.runtime.script import run
 from rocking.tables import read_json
 from studies.building.drawing import JOINT, MASONRY
+from studies.shared.drawings import outline
 
 VIEWS = (0.0, 0.25, 0.6, 1.0)  # of the largest d/b
 FACADE = "façade"

@@ -3,9 +3,9 @@
 from pathlib import Path
 
 from rocking.runtime.script import run
-from rocking.statements import COLUMNS
 from rocking.tables import read_frame, write_table
 from studies.building.claims import evaluate
+from studies.shared.statements import COLUMNS
 
 
 def main(job):

@@ -71,13 +71,7 @@ def test_a_looser_bond_lengthens_every_period(settings, plan):
 
 @pytest.mark.parametrize("bond", [0.0, 1.5, "no"])
 def test_a_bond_that_means_nothing_is_refused(bond):
-    wall = {
-        "name": "a",
-        "start_m": [0, 0],
-        "end_m": [1, 0],
-        "thickness_m": 0.12,
-        "height_m": 1.2,
-    }
+    wall = {"name": "a", "start_m": [0, 0], "end_m": [1, 0], "thickness_m": 0.12, "height_m": 1.2}
     with pytest.raises(PlanError, match="house: facade_bond must be above 0 and at most 1"):
         plan_from_dict({"name": "n", "walls": [wall], "facade_bond": bond}, "house")
 

@@ -1,4 +1,4 @@
-"""A scene given to the command by hand that is none of its own is one line that names it."""
+"""A scene given to the command by hand that it cannot use ends in one line that names it."""
 
 import json
 

@@ -18,8 +18,8 @@ from dataclasses import replace
 import numpy as np
 
 from studies.building.yade.complete import apart
+from studies.shared.yade.frames import Camera
 from yade_scripts.commands import command, shaking
-from yade_scripts.commands.frames import Camera
 from yade_scripts.commands.tables import history_csv
 from yade_scripts.engine import adapter, loop
 from yade_scripts.files import write_atomic, write_json

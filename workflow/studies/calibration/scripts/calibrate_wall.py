@@ -8,11 +8,11 @@ import numpy as np
 from rocking.figures import style
 from rocking.figures.panels import ticks
 from rocking.mechanics.beta import groups
-from rocking.mechanics.restitution import misfit
 from rocking.runtime.script import run
 from rocking.tables import write_table
 from studies.calibration import free_rocking as study
 from studies.calibration.fits import WALL_COLUMNS, rows_of_own, walls_of
+from studies.shared.restitution import misfit
 
 COLOURS = ("#0072B2", "#009E73", "#CC79A7")
 

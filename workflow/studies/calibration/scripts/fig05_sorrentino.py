@@ -7,10 +7,10 @@ import numpy as np
 from rocking.figures import style
 from rocking.figures.panels import band, intervals, ticks
 from rocking.mechanics import beta as calibration
-from rocking.mechanics.restitution import IMPACTS, TARGETS
 from rocking.runtime.script import run
 from studies.calibration import fits
 from studies.calibration import free_rocking as study
+from studies.shared.restitution import IMPACTS, TARGETS
 
 MEASURED = {"marker": "D", "mfc": "white", "mec": "k", "color": "k", "ms": 4, "capsize": 4}
 MEASURED |= {"lw": 1.2, "zorder": 5, "label": "test, from e$_{exp}$"}

@@ -5,10 +5,10 @@ import numpy as np
 from matplotlib.lines import Line2D
 from rocking.figures import style
 from rocking.figures.panels import ticks
-from rocking.mechanics.restitution import read_archive
 from rocking.runtime.script import run
 from rocking.tables import read_json
 from studies.calibration.shake_table import largest_mm, relative_mm, rest_mm
+from studies.shared.restitution import read_archive
 
 TRIAL_MS = 0.94  # β found by trial and error for an early test (Shawa et al., 2012)
 LAWS = {"eq5": ("eq. 5", "#0072B2", "-"), "fitted": ("fitted law", "#D55E00", "--")}

@@ -1,9 +1,9 @@
 """Rebounds and e_exp of every free-rocking run; an impact that did not happen stays blank."""
 
-from rocking.mechanics.restitution import IMPACTS
 from rocking.runtime.script import run
 from rocking.tables import write_table
 from studies.calibration.fits import walls_of
+from studies.shared.restitution import IMPACTS
 
 COLUMNS = ("wall", "beta_s", "n", "time_s", "theta_over_alpha", "e_exp", "e_1sr")
 

@@ -1,9 +1,9 @@
 """Peak displacements of the shake-table runs."""
 
-from rocking.mechanics.restitution import read_archive
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
 from studies.calibration.shake_table import COLUMNS, row_of
+from studies.shared.restitution import read_archive
 
 
 def main(job):

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from rocking.mechanics import closed_forms
 from rocking.mechanics.beta import groups, read_law
-from rocking.mechanics.restitution import TARGETS, Rebounds
 from studies.calibration import fits
 from studies.calibration import free_rocking as study
+from studies.shared.restitution import TARGETS, Rebounds
 
 BETAS = np.geomspace(1e-4, 1e-2, 9)
 

@@ -6,8 +6,8 @@ import math
 import numpy as np
 import pytest
 from rocking.mechanics import closed_forms
-from rocking.mechanics.restitution import read_archive
 from studies.calibration.free_rocking import SECTIONS
+from studies.shared.restitution import read_archive
 from yade_process import resolved, run_study
 
 pytestmark = pytest.mark.yade

@@ -3,8 +3,8 @@
 from pathlib import Path
 
 import yaml
-from rocking.mechanics.restitution import TARGETS
 from studies.calibration import claims
+from studies.shared.restitution import TARGETS
 
 DATA = yaml.safe_load((Path(__file__).parents[4] / "docs" / "study.yaml").read_text("utf-8"))
 

@@ -3,10 +3,11 @@
 import json
 
 import numpy as np
-from rocking.figures import pictures, style
+from rocking.figures import style
 from rocking.figures.panels import panels
 from rocking.runtime.script import run
 from rocking.tables import read_json
+from studies.shared import drawings
 
 SHOWN_D = 0.6  # d/b
 COLUMNS = 4  # models side by side, where more than the study's five are drawn
@@ -29,14 +30,14 @@ def main(job):
     walls, k = config["return_wall"]["count"], shown["magnification"]
     h = config["facade"]["height_m"]
     largest = max(
-        pictures.faces(f, i, walls, config)[1].max() for f, i in zip(frames, at, strict=True)
+        drawings.faces(f, i, walls, config)[1].max() for f, i in zip(frames, at, strict=True)
     )
     limits = ((-3.4, 3.1), (-0.7, h + 0.9))
     most = COLUMNS + (len(frames) == COLUMNS + 1)  # one more does not go into a row of its own
     figure, axes = panels(len(frames), most, (1.75, 2.6), around=(0.0, 0.3))
-    look = pictures.FrameLook(largest, limits, magnification=k)
+    look = drawings.FrameLook(largest, limits, magnification=k)
     for axis, f, i in zip(axes.flat, frames, at, strict=False):
-        drawn = pictures.draw(axis, f, i, walls, config, look)
+        drawn = drawings.draw(axis, f, i, walls, config, look)
         axis.set_title(f"{f['model']}: d/b = {abs(f['d_over_b'][i]):.2f}")
     bar = figure.colorbar(drawn, ax=axes.ravel().tolist(), shrink=0.6, pad=0.01)
     bar.set_label("displacement relative to the ground [m]")

@@ -4,7 +4,6 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Patch
 from rocking.figures import style
-from rocking.figures.pictures import FILLS, side_view
 from rocking.mechanics.smoothing import smoothed
 from rocking.pushover import (
     DRAWN,
@@ -16,6 +15,7 @@ from rocking.pushover import (
 )
 from rocking.runtime.script import run
 from rocking.tables import read_frame, read_json
+from studies.shared.drawings import FILLS, side_view
 
 from yade_scripts.model.interlocking import interlocking_scene
 from yade_scripts.model.registry import MODELS

@@ -2,8 +2,8 @@
 
 import pandas as pd
 import pytest
-from rocking import statements
 from studies.paper import claims
+from studies.shared import statements
 
 W1 = {
     "BUCAR0+": 0.1,

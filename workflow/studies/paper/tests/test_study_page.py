@@ -7,8 +7,8 @@ import pandas as pd
 import pytest
 import yaml
 from rocking.mechanics import closed_forms
-from rocking.statements import COLUMNS, statement
 from studies.paper import page as paper
+from studies.shared.statements import COLUMNS, statement
 
 DOCS = Path(__file__).parents[4] / "docs"
 DATA = yaml.safe_load((DOCS / "study.yaml").read_text(encoding="utf-8"))

@@ -7,10 +7,10 @@ import numpy as np
 from rocking.figures import style
 from rocking.figures.panels import intervals
 from rocking.records.intensity_measures import MEASURES
-from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
 from rocking.stations import heading
 from rocking.tables import read_frame
+from studies.shared.hazard import read_hazard
 
 from yade_scripts.model.registry import MODELS
 

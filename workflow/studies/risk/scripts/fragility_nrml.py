@@ -3,11 +3,11 @@
 from pathlib import Path
 
 import numpy as np
-from rocking.risk.fragility import Fragility
-from rocking.risk.hazard import imt_of
-from rocking.risk.nrml import document
 from rocking.runtime.script import run
 from rocking.tables import read_frame
+from studies.shared.fragility import Fragility
+from studies.shared.hazard import imt_of
+from studies.shared.nrml import document
 
 
 def main(job):
@@ -15,7 +15,7 @@ def main(job):
     table = read_frame(job.input.fragility)
     known = np.isfinite(table["median"]) & np.isfinite(table["dispersion"])
     table = table[(table["im"] == w.im) & known]
-    if table.empty:  # a fragilityModel without a function is none
+    if table.empty:  # OpenQuake takes no fragilityModel without a function
         Path(job.output[0]).write_text(
             "<!-- no motion felled the facade: no fragility function -->\n", encoding="utf-8"
         )

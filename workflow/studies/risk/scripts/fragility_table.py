@@ -11,11 +11,11 @@ import pandas as pd
 from rocking.mechanics.closed_forms import block
 from rocking.records import read_csv
 from rocking.records.intensity_measures import per_pga, record_measures
-from rocking.risk import sufficiency
 from rocking.runtime.script import run
 from rocking.tables import read_frame, write_table
 from studies.risk import fragility_tables
 from studies.risk.fragility_tables import CURVES, FACTORS, share_at, shares
+from studies.shared import sufficiency
 
 
 def main(job):

@@ -3,11 +3,11 @@
 Of a building that yields also its own rate. Writes tables/risk.csv and risk/deaggregation.csv.
 """
 
-from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
 from rocking.tables import read_frame, write_table
 from studies.risk.collapse import BUILDING, COLUMNS, PARTS, beside_building, risk_of
 from studies.risk.fragility_tables import SHARE, building_shares, shares
+from studies.shared.hazard import read_hazard
 
 
 def main(job):

@@ -3,12 +3,12 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.risk import rates
-from rocking.risk.fragility import MIN_DISPERSION, Bootstrap, Fragility, fit
-from rocking.risk.hazard import Hazard, HazardError, read_hazard
 from scipy.special import ndtri
 from studies.risk.collapse import BUILDING, COLUMNS, PARTS, beside_building, risk_of
 from studies.risk.fragility_tables import building_shares
+from studies.shared import rates
+from studies.shared.fragility import MIN_DISPERSION, Bootstrap, Fragility, fit
+from studies.shared.hazard import Hazard, HazardError, read_hazard
 
 LAW = Hazard("pga_g", np.array([0.1, 0.2, 0.4]), 1e-3 * np.array([0.1, 0.2, 0.4]) ** -2.0)
 SETTINGS = {"confidence": 0.9, "resamples": 200, "seed": 1, "min_stations": 12}

@@ -34,33 +34,21 @@ def fragility(tmp_path_factory):
         "min_stations": 12,
         "seed": 1,
     }
-    script(
-        "fragility_table",
-        folder,
-        input={**collapse_tables(folder, curves[:-1]), "records": records},
-        output=names,
-        params={
-            "stations": STATIONS,
-            "fragility": settings,
-            "hazard_slope": 2.0,
-            "facade": {"height_m": 6.48, "thickness_m": 0.375},
-            "smdof": {"period_s": 0.27, "damping_ratio": 0.05},
-        },
-    )
     with_never = {k: v.replace(".csv", "_all.csv") for k, v in names.items()}
-    script(
-        "fragility_table",
-        folder,
-        input={**collapse_tables(folder, curves, "_all"), "records": records},
-        output=with_never,
-        params={
-            "stations": STATIONS,
-            "fragility": settings,
-            "hazard_slope": 2.0,
-            "facade": {"height_m": 6.48, "thickness_m": 0.375},
-            "smdof": {"period_s": 0.27, "damping_ratio": 0.05},
-        },
-    )
+    for taken, ending, output in ((curves[:-1], "", names), (curves, "_all", with_never)):
+        script(
+            "fragility_table",
+            folder,
+            input={**collapse_tables(folder, taken, ending), "records": records},
+            output=output,
+            params={
+                "stations": STATIONS,
+                "fragility": settings,
+                "hazard_slope": 2.0,
+                "facade": {"height_m": 6.48, "thickness_m": 0.375},
+                "smdof": {"period_s": 0.27, "damping_ratio": 0.05},
+            },
+        )
     return {k: pd.read_csv(v) for k, v in names.items()}, pd.read_csv(with_never["fragility"])
 
 

@@ -4,8 +4,8 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.collapse.probability import KEY
-from rocking.risk.fragility import Bootstrap, Fragility
 from studies.risk import fragility_tables
+from studies.shared.fragility import Bootstrap, Fragility
 
 SETTINGS = {"measures": ["a", "pga_g"], "confidence": 0.9, "min_stations": 12}
 

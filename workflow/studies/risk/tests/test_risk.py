@@ -8,14 +8,14 @@ import pandas as pd
 import pytest
 from rocking.collapse.equivalent import equivalent
 from rocking.collapse.probability import KEY
-from rocking.risk import nrml, rates
-from rocking.risk.fragility import Fragility
-from rocking.risk.hazard import Hazard, HazardError, imt_of, read_hazard
 from run_script import script
 from scipy import stats
 from scipy.integrate import quad
 from studies.risk import fragility_tables
 from studies.risk.collapse import risk_of
+from studies.shared import nrml, rates
+from studies.shared.fragility import Fragility
+from studies.shared.hazard import Hazard, HazardError, imt_of, read_hazard
 
 ROOT = Path(__file__).resolve().parents[4]
 K0, K, THETA, BETA = 2e-4, 2.3, 0.31, 0.47

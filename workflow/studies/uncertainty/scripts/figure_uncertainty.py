@@ -4,9 +4,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 from rocking.figures import style
 from rocking.figures.panels import intervals
-from rocking.risk.fragility import Fragility
 from rocking.runtime.script import run
 from rocking.tables import read_frame
+from studies.shared.fragility import Fragility
 
 from yade_scripts.model.registry import MODELS
 

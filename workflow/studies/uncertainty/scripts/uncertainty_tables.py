@@ -4,9 +4,9 @@ import json
 
 import numpy as np
 import pandas as pd
-from rocking.risk import fragility
 from rocking.runtime.script import run
 from rocking.tables import read_tables, write_table
+from studies.shared import fragility
 from studies.uncertainty import parts, sampling
 
 NARROW = 1e-3  # half width of the bracket of a collapse that is known, over it

@@ -4,10 +4,10 @@ import math
 from pathlib import Path
 
 import numpy as np
-from rocking.mechanics.restitution import e_exp, e_one_sided, read_archive, rebounds
 from rocking.runtime.script import run
 from rocking.solver import Motions, history, to_plane
 from rocking.tables import read_json, write_table
+from studies.shared.restitution import e_exp, e_one_sided, read_archive, rebounds
 from studies.validation import study as validation
 
 from yade_scripts.model.facade import facade_scene

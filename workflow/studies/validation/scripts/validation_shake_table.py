@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from rocking.mechanics.restitution import read_archive
 from rocking.runtime.script import run
 from rocking.tables import read_frame, read_json, write_table
+from studies.shared.restitution import read_archive
 from studies.validation import study as validation
 from studies.validation.study import ALONE, PERCENTILES, SEQUENCE, STILL
 
