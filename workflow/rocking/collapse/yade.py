@@ -67,7 +67,7 @@ class YadeRuns:
         if second is not None:
             write_columns(self.folder / "second.csv", *second.columns(case), digits=WHOLE)
             self.case["second"] = "second.csv"
-        if motion.first is not None and motion.first_pga_g < 0.0:
+        if motion.first is not None and motion.first_pga_g > 0.0:
             self.case["before"] = {
                 "motion": _written(self.folder, "first", motion.first, case),
                 "pga_g": motion.first_pga_g,
