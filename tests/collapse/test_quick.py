@@ -30,6 +30,19 @@ def test_the_climb_finds_what_the_dense_scan_finds(model):
     assert found["runs_planar"] < dense.runs
 
 
+def test_a_climb_that_begins_above_collapse_goes_below():
+    """A pulse of seconds is a push, under which the block on E/h falls at less than 0.6 b/h."""
+    t = 0.01 * np.arange(800)
+    slow = Motion(Record("slow", np.sin(np.pi * t / 6.0) * (t < 6.0), 0.01, source="file"))
+    own = case("W1")
+    lifts = own["facade"]["thickness_m"] / own["facade"]["height_m"]
+    dense = collapse_curve(own, slow, "neg", settings=SETTINGS).summary()["pga_median_g"]
+    assert dense < 0.6 * lifts
+    for settings in ({}, {"from_g": 3.0 * lifts}):
+        curve = collapse_curve(own, slow, "neg", search="crossings", settings=settings)
+        assert curve.found[-1] == pytest.approx(dense, rel=0.03)
+
+
 @pytest.mark.parametrize("model", ["W1", "W2m"])
 def test_curves_found_together_are_those_found_alone(model):
     """Of motions of other length and sampling, both directions, each with settings of its own."""

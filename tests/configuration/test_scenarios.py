@@ -80,6 +80,7 @@ def test_scenarios_are_laid_over_the_base_and_chosen_by_name():
             "scenario 'b': facade.height_m = -8",
         ),
         ({"scenarios": {"a": {}}, "facade": {"width_m": 0}}, "facade.width_m = 0: expected"),
+        ({"scenarios": {"a": {}, "A": {}}}, "two runs would be called 'main-a' and 'main-A'"),
         ({"scenarios": {"a": {}}, "scenario": "b"}, "scenario = 'b': expected one of a, or all"),
         ({"scenario": "b"}, "scenario = 'b': no scenarios are defined"),
         ({"scenarios": {"a": {}}, "scenario": []}, "scenario = []: expected one of a, or all"),

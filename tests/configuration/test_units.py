@@ -4,12 +4,13 @@ from pathlib import Path
 
 import pytest
 import yaml
-from rocking.configuration import units, unlikely
-from rocking.configuration.config import ConfigError, expand_scenarios, resolve
+from rocking.configuration import unlikely
+from rocking.configuration.config import ConfigError, expanded, resolve
 from rocking.configuration.schema import leaves, whole
 
 ROOT = Path(__file__).resolve().parents[2]
 FILES = sorted((ROOT / "config").glob("**/*.yaml"))
+FILES += sorted((ROOT / "workflow/studies").glob("*/scenario.yaml"))
 TIE, FLOOR = {"height_m": 5.0}, {"height_m": 3.0}
 
 
@@ -77,13 +78,14 @@ def test_what_cannot_stand_for_a_number_in_another_unit_names_that_number(facade
     assert cause in str(caught.value)
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
+@pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}/{path.name}")
 def test_nothing_that_comes_with_the_project_is_doubted(path):
     given = yaml.safe_load(path.read_text("utf-8"))
     if not isinstance(given, dict) or not set(given) <= {*whole()["properties"], *STUDY}:
         pytest.skip("no configuration")
-    settings = expand_scenarios(given)
-    assert not [line for one in settings.values() for line in units.unusual(one)]
+    runs = expanded(given)
+    settled = {run: resolved for run, (resolved, _) in runs.items()}
+    assert unlikely.lines(settled, {run: stated for run, (_, stated) in runs.items()}) == []
 
 
 STUDY = {"scenario", "scenarios", "grid"}

@@ -2,7 +2,9 @@
 
 import numpy as np
 import pytest
-from record_files.header import stated_counts, stated_steps, stated_unit
+from record_files.header import stated_channels, stated_counts, stated_steps, stated_unit
+
+# X stated_counts, stated_steps, stated_unit
 from record_samples import motion
 from rocking.records import RecordError, read_record
 
@@ -247,6 +249,18 @@ def test_a_heading_of_volume_1_ends_within_forty_lines(tmp_path, lines, read_as)
     else:
         with pytest.raises(RecordError, match="line 41: channel without 'POINTS OF ACCEL"):
             read_record(path, component="EW")
+
+
+@pytest.mark.parametrize(
+    ("line", "count"),
+    [
+        *(("Three components", 3), ("two channels", 2), ("four traces", 4), ("6 columns", 6)),
+        *(("tre componenti", 3), ("due canali", 2), ("trois canaux", 3), ("drei Spalten", 3)),
+        *(("tres componentes", 3), ("zwei Komponenten", 2), ("no more is said", 0)),
+    ],
+)
+def test_how_many_channels_a_heading_states(line, count):
+    assert stated_channels(["A record", line]) == count
 
 
 def test_a_stated_format_is_tried_as_such_and_says_what_it_wanted(tmp_path):

@@ -17,6 +17,7 @@ from yade_scripts import sources
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = ROOT / "workflow" / "scripts"
 STUDIES = ROOT / "workflow" / "studies"
+PACKAGE = ROOT / "workflow/rocking"
 OF_STUDIES = ("table_wme", "calibrate_law")  # scripts
 LOADED = """
 import sys, types
@@ -69,6 +70,19 @@ def late(files):
             for other in sources.imports(file):
                 out.update(sources.sources(other))
     return out
+
+
+def test_imports_are_found_at_any_depth(tmp_path):
+    """In a function, a branch, a handler of errors, a case: each changes what a script computes."""
+    modules = [path.stem for path in sorted(PACKAGE.glob("*.py")) if path.stem != "__init__"][:5]
+    first, second, third, fourth, fifth = (f"from rocking import {name}" for name in modules)
+    text = f"def f(x):\n    {first}\n    if x:\n        pass\n    else:\n        {second}\n"
+    text += f"    try:\n        pass\n    except OSError:\n        {third}\n"
+    text += f"    finally:\n        {fourth}\n    match x:\n        case 1:\n            {fifth}\n"
+    path = tmp_path / "script.py"
+    path.write_text(text)
+    found = {file.stem for file in sources.imports(path)}
+    assert found == {"__init__", *modules}
 
 
 @pytest.mark.slow

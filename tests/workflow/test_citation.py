@@ -30,6 +30,16 @@ def test_every_file_states_the_same_version():
     assert len(set(versions().values())) == 1, versions()
 
 
+def test_every_file_states_the_same_title_and_licence():
+    cff, zenodo = yaml.safe_load(text("CITATION.cff")), json.loads(text(".zenodo.json"))
+    codemeta = json.loads(text("codemeta.json"))
+    assert cff["title"] == zenodo["title"]
+    named = re.search(r'(?m)^license = \{text = "(.+)"\}$', text("pyproject.toml"))[1]
+    assert {cff["license"], zenodo["license"]} == {named}
+    assert codemeta["license"] == f"https://spdx.org/licenses/{named}"
+    assert text("LICENSE").startswith(f"{named} License\n")
+
+
 @pytest.mark.parametrize(
     ("name", "key"), [(".zenodo.json", "creators"), ("codemeta.json", "author")]
 )

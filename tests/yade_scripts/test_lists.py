@@ -9,7 +9,8 @@ from code_rules import as_python
 from yade_scripts.lists import LONGEST, MOST, listed, one_of
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = ("workflow", "yade_scripts", "tools")
+PACKAGES = {path.parent.name for path in ROOT.glob("*/__init__.py")} - {"tests"}
+FOLDERS = sorted({*PACKAGES, "smdof", "tools", "workflow"})
 
 
 def test_few_names_are_all_named_and_of_many_the_first():

@@ -25,6 +25,7 @@ BLOCK = 32  # amplitudes between two looks at whether the façade has fallen for
 MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change
 CALM = 0.3  # d/b from which a scan runs realisations
 CALM_RATIO = 1.1  # a scan begins where a façade stays below d/b of CALM over a range this wide
+ROUNDED = 1e-9
 LEAST_G = 1e-4  # no façade that stands by itself falls below
 EDGE = 2  # windows below the lowest fall that are always filled: another solver's lies in them
 AT_ONCE = 8  # windows that get more realisations between two looks
@@ -249,8 +250,9 @@ def below(seen, wanted):
 def crossings(start_g, max_pga_g, ratio):
     """Find where 10 and 50 % of the realisations first collapse, for many curves.
 
-    It climbs at `ratio` (at `AHEAD` where it is calm) to a first collapse, looks for a lower one
-    at `BELOW_FIRST` over two of its steps below, and runs realisations from there up to the
+    It climbs at `ratio` (at `AHEAD` where it is calm) to a first collapse, from half of `start_g`
+    and so on where that falls, looks for a lower one at `BELOW_FIRST` over two of its steps below,
+    and runs realisations from there up to the
     crossing of one half.
 
     Parameters
@@ -263,6 +265,10 @@ def crossings(start_g, max_pga_g, ratio):
         In the order of `LEVELS` [g]; NaN up to `max_pga_g`.
     """
     lowest = yield from first_beyond_calm(rising(start_g, max_pga_g, ratio), ratio)
+    while start_g > LEAST_G and lowest <= start_g * (1.0 + ROUNDED):  # as a push of seconds does
+        levels, start_g = rising(0.5 * start_g, start_g, ratio)[:-1], 0.5 * start_g
+        lower = yield from first_beyond_calm(levels, ratio)
+        lowest = float(np.fmin(lower, lowest))
     if not math.isfinite(lowest):
         return (math.nan,) * len(LEVELS)
     if ratio > BELOW_FIRST:

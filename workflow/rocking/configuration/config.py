@@ -210,6 +210,7 @@ def expanded(config: Mapping) -> dict[str, tuple[dict[str, Any], dict[str, Any]]
     if len(cells) * max(len(named), 1) > MAX_RUNS:
         raise ConfigError(f"scenarios and grid make more than {MAX_RUNS} runs")
     runs: dict[str, tuple[dict, dict]] = {}
+    called: dict[str, str] = {}
     for name, overrides in (named or {"": {}}).items():
         for label, cell in cells.items():
             ending = "-".join(part for part in (name, label) if part)
@@ -222,8 +223,9 @@ def expanded(config: Mapping) -> dict[str, tuple[dict[str, Any], dict[str, Any]]
                 if not ending or error.detail == _fault(common):
                     raise
                 raise ConfigError(f"scenario '{ending}': {error.detail}") from None
-            if one["run"] in runs:
-                raise ConfigError(f"two runs would be called '{one['run']}'")
+            # one folder where names of files have no case
+            if (other := called.setdefault(one["run"].casefold(), one["run"])) in runs:
+                raise ConfigError(f"two runs would be called '{other}' and '{one['run']}'")
             runs[one["run"]] = one, given
     return runs
 

@@ -5,6 +5,7 @@ a list of such, one must hold. In an entry of a list keys without a section are 
 """
 
 import copy
+import functools
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -42,16 +43,26 @@ def without_effect(resolved: Mapping, stated: Mapping) -> Iterator[str]:
     """
     given = nested(stated)
     named = set(flat(given))
-    for path, schema in leaves(whole()):
-        value = value_at(resolved, path)
-        if path in named and value != schema.get("default"):
-            said = list(_said(path, value, schema, resolved, {}))
-            yield from said if said and value != _left_open(path, given) else ()
-        entries = value if path in named and isinstance(value, list) else ()
-        for number, entry in enumerate(entries, 1):
-            for key, part in leaves(schema.get("items", {})):
+    for path, schema, entries in _conditional():
+        if path not in named or (value := value_at(resolved, path)) == schema.get("default"):
+            continue
+        said = list(_said(path, value, schema, resolved, {}))
+        yield from said if said and value != _left_open(path, given) else ()
+        for number, entry in enumerate(value if entries else (), 1):
+            for key, part in entries:
                 if entry.get(key) not in (None, part.get("default")):
                     yield from _said(f"{path}[{number}].{key}", entry[key], part, resolved, entry)
+
+
+@functools.lru_cache(maxsize=1)
+def _conditional() -> list[tuple[str, dict, list]]:
+    """Keys that act beside others, with those of the entries of a list: path, schema, entries."""
+    found = []
+    for path, schema in leaves(whole()):
+        entries = [(key, part) for key, part in leaves(schema.get("items", {})) if needs(part)]
+        if needs(schema) or entries:
+            found.append((path, schema, entries))
+    return found
 
 
 def needs(schema: Mapping) -> list[Needs]:

@@ -82,6 +82,18 @@ def test_summary_counts_what_fell_and_what_never_did():
 
 
 @pytest.mark.xdist_group("sequence")
+def test_what_yade_runs_lies_close_to_the_second_collapse(pulse, tables):
+    """A tenth below where 10 % fall, a tenth above where half do."""
+    case = study_case("W1c", {**SHORT, **WEAK})
+    cases = sequence.to_confirm(case, pulse, tables["W1c"], pulse, SETTINGS)["cases"]
+    rows = tables["W1c"].set_index("first_pga_g")
+    for one in cases:
+        row = rows.loc[one["about"][0]["first_pga_g"]]
+        expected = [0.9 * row["pga_p10_g"], 1.1 * row["pga_median_g"]]
+        assert one["pga_g"] == pytest.approx(expected, abs=1e-4)
+
+
+@pytest.mark.xdist_group("sequence")
 @pytest.mark.yade
 def test_yade_confirms_both_sides_of_the_second_collapse(pulse, tables, tmp_path):
     """Damaged and undamaged: YADE stands below the planar solver's collapse and falls above it."""

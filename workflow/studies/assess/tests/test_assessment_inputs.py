@@ -163,6 +163,10 @@ def test_every_value_is_marked_and_β_says_where_its_law_ends():
     assert row({}, "facade.height_m") == ["6", "stated"]
     assert row({}, "facade.parapet_thickness_m") == ["that of the highest storey", "derived"]
     assert row({}, "baseline.method")[1] == "default"
+    resolved = study_settings(given)
+    stiffness = 1e6 * resolved["facade"]["e_mpa"] / 6.0  # E/h
+    words, _ = row({}, "facade.base_stiffness_pa_m")
+    assert f"{stiffness:.3g}" in words.replace("·10", "e")
     for damping, standing in (({}, "default"), ({"law": "eq5"}, "derived")):
         words, found = row(damping, "damping.beta_s")
         assert found == standing

@@ -71,6 +71,7 @@ def test_a_gable_by_hand():
     assert one.mechanism.multiplier() == pytest.approx(0.1875, rel=1e-9)
     assert one.mechanism.participation()[1] == pytest.approx(2.0 / 3.0, rel=1e-9)
     assert one.place == 1.0
+    assert family(GABLE).part(one.foot_m + 1.0).place == 1.0  # and so is what lies above its foot
     expected = 6.2 * 8.0 * 2.4 * math.sqrt(1800.0 / (0.5 * 1800e6))
     assert one.t0_s == pytest.approx(expected, rel=1e-9)
 
