@@ -81,9 +81,9 @@ def test_parts_of_a_line_go_together_while_none_slides():
     draw, (ratio, friction, half) = np.random.default_rng(4), (0.33, 0.5, 0.2)
     planes = run_by("planar", courses("W1"), Motion.named("GMN_NS", SUITE), "pos").planes
     lines = planes[0].lines._replace(half_m=np.array([half]))
-    lines = lines._replace(edge_m=half * lines.edge_m[:1] / lines.edge_m[0, lines.parts[0]])
-    parts, rows = int(lines.parts[0]), np.zeros(rubbing.MEMORY)
-    edges = lines.edge_m[0, : parts + 1]
+    lines = lines._replace(edge_m=half * lines.edge_m[:1] / lines.edge_m[0, -1])
+    parts, rows = rubbing.PARTS, np.zeros(rubbing.MEMORY)
+    edges = lines.edge_m[0]
     shares, middle = np.diff(edges), 0.5 * (edges[1:] + edges[:-1])
     slip, together, slid = np.zeros(parts), 0, 0
     for k in range(400):
