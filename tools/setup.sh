@@ -72,7 +72,7 @@ if ! kept $stamp "$wanted"; then
   printf '#!%s\nimport sys\n\nfrom rocking.start import main\n\nif __name__ == "__main__":\n    sys.exit(main())\n' \
     "$PWD/.venv/bin/python" > .venv/bin/snakemake  # processes that it forks read this file too
   # Python's own compiling too, of what runs import: the environment may forbid Python to keep it
-  .venv/bin/python -m compileall -q smdof record_files reference_solver yade_scripts workflow
+  .venv/bin/python -m compileall -q smdof yade_scripts workflow
 fi
 if [ $lock = requirements.lock ]; then
   say "compiling the loops of the main job: half a minute on two free cores, longer on a loaded machine"

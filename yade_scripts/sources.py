@@ -13,8 +13,8 @@ ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = {
     "yade_scripts": ROOT / "yade_scripts",
     "smdof": ROOT / "smdof",
-    "record_files": ROOT / "record_files",
-    "reference_solver": ROOT / "reference_solver",
+    "record_files": ROOT / "workflow" / "record_files",
+    "reference_solver": ROOT / "workflow" / "reference_solver",
     "rocking": ROOT / "workflow" / "rocking",
     "studies": ROOT / "workflow" / "studies",
 }

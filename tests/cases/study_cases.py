@@ -4,6 +4,21 @@ from rocking import Case
 from rocking.configuration import config
 from rocking.configuration.study import as_in_the_study
 
+# a façade with whatever makes one uneven: a gable, steps, openings, ties, a floor
+UNEVEN = {
+    "height_m": 8.0,
+    "thickness_m": 0.6,
+    "width_m": 7.5,
+    "gable_height_m": 2.0,
+    "thickness_steps": [{"z_m": 3.0, "thickness_m": 0.5}, {"z_m": 5.5, "thickness_m": 0.4}],
+    "openings": [
+        {"x_m": -2.0, "z_m": 1.0, "width_m": 1.0, "height_m": 1.6},
+        {"x_m": 1.5, "z_m": 4.0, "width_m": 1.2, "height_m": 2.0},
+    ],
+    "ties": [{"height_m": 6.0}, {"height_m": 7.8}],
+    "floors": [{"height_m": 4.0, "load_kn": 20.0, "anchor_kn": 10.0, "arm_m": 0.1}],
+}
+
 
 def study_case(model, given=None):
     """Case of a model on the study's keys, with those given laid over them."""

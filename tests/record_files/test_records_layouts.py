@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
+from record_files.header import stated_channels, stated_counts, stated_steps, stated_unit
 from record_samples import motion
 from rocking.records import RecordError, read_record
 
-from record_files.header import stated_channels, stated_counts, stated_steps, stated_unit
 from tests.trials.layouts import run
 
 N, DT_S = 240, 0.01

@@ -15,7 +15,7 @@ EXAMPLE = ROOT / "docs" / "examples" / "friction"
 STUDY = Path("workflow") / "studies" / "friction"
 FILES = [STUDY / path.name for path in sorted(EXAMPLE.iterdir()) if path.is_file()]
 PARTS = ("Snakefile", "config", "docs", "profiles", "pyproject.toml", "smdof", "tests", "workflow")
-PARTS += ("record_files", "reference_solver", "yade_scripts")
+PARTS += ("yade_scripts",)
 COARSE = "numerics={nodes_thickness: 5, nodes_height: 5, step_fraction: 0.4, after_motion_s: 0.5}"
 LIMIT_S = 300.0
 

@@ -18,8 +18,8 @@ NAMES = sorted(path.parent.name for path in STUDIES.glob("*/rules.smk"))
 SHARED = "shared"  # what several studies stand on; no study
 CORE = (
     "smdof",
-    "record_files",
-    "reference_solver",
+    "workflow/record_files",
+    "workflow/reference_solver",
     "yade_scripts",
     "workflow/rocking",
     "workflow/scripts",

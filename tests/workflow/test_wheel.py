@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-PACKAGES = {name: name for name in ("smdof", "record_files", "reference_solver", "yade_scripts")}
-PACKAGES["rocking"] = "workflow/rocking"
+PACKAGES = {name: name for name in ("smdof", "yade_scripts")}
+PACKAGES |= {name: f"workflow/{name}" for name in ("record_files", "reference_solver", "rocking")}
 IMPORT = """
 import importlib, sys
 sys.path[:0] = [sys.argv[1], *sys.argv[2].split(":")]

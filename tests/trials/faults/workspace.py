@@ -13,8 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 SNAKEMAKE = Path(sys.executable).parent / "snakemake"
 LOCKS = ("requirements.lock", "requirements-all.lock")
-PARTS = ("profiles", "workflow", "config")
-PARTS += ("yade_scripts", "smdof", "record_files", "reference_solver")
+PARTS = ("profiles", "workflow", "yade_scripts", "smdof", "config")
 STUDY = "study.yaml"  # in the workspace, a copy of the one given to `fill`
 OVERVIEW = ("tables/ida_collapse.csv", "tables/records.csv")
 FIGURES = (

@@ -33,6 +33,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+from reference_solver.stack import StackSolver
 from rocking import Case, Motion
 from rocking.collapse import search
 from rocking.collapse.curve import run_by
@@ -41,7 +42,6 @@ from rocking.configuration.study import as_in_the_study
 from rocking.solver import peaks
 from rocking.tables import write_table
 
-from reference_solver.stack import StackSolver
 from yade_scripts.model.models import build_scene
 from yade_scripts.model.motion import amplitude
 

@@ -1,29 +1,15 @@
 """A part of a façade as a façade of its own: what it weighs, where it stands, what holds it."""
 
 import pytest
-from study_cases import study_case, study_settings
+from study_cases import UNEVEN, study_case, study_settings
 
 from yade_scripts.model.part import part_of
 from yade_scripts.model.shape import shape_of
 
-FACADE = {
-    "height_m": 8.0,
-    "thickness_m": 0.6,
-    "width_m": 7.5,
-    "gable_height_m": 2.0,
-    "thickness_steps": [{"z_m": 3.0, "thickness_m": 0.5}, {"z_m": 5.5, "thickness_m": 0.4}],
-    "openings": [
-        {"x_m": -2.0, "z_m": 1.0, "width_m": 1.0, "height_m": 1.6},
-        {"x_m": 1.5, "z_m": 4.0, "width_m": 1.2, "height_m": 2.0},
-    ],
-    "ties": [{"height_m": 6.0}, {"height_m": 7.8}],
-    "floors": [{"height_m": 4.0, "load_kn": 20.0, "anchor_kn": 10.0, "arm_m": 0.1}],
-}
-
 
 @pytest.fixture(scope="module")
 def resolved():
-    return study_settings({"facade": FACADE})
+    return study_settings({"facade": UNEVEN})
 
 
 def test_holds_loads_and_openings_count_from_the_foot(resolved):
@@ -42,7 +28,7 @@ def test_a_gable_and_a_parapet_rock_alone(resolved):
     gable = part_of(resolved["facade"], 8.0)
     assert (gable["outline"], gable["sides"], gable["height_m"]) == ("triangle", "two", 2.0)
     assert shape_of(gable).static_multiplier == pytest.approx(0.2 / (2.0 / 3.0))
-    given = {**FACADE, "gable_height_m": 0.0, "parapet_height_m": 1.2, "parapet_thickness_m": 0.25}
+    given = {**UNEVEN, "gable_height_m": 0.0, "parapet_height_m": 1.2, "parapet_thickness_m": 0.25}
     parapet = part_of(study_settings({"facade": given})["facade"], 8.0)
     assert (parapet["outline"], parapet["height_m"], parapet["thickness_m"]) == ("box", 1.2, 0.25)
 

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from reference_solver.stack import StackSolver
 from rocking.configuration.schema import ConfigError
-from rocking.reference.stack import StackSolver
 from rocking.solver import Motions, history, moving_supports, to_plane
 from yade_process import in_yade, resolved
 

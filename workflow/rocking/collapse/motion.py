@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-
 from record_files.record import UNITS_M_S2, check_plausible, measures, unit_name
+
 from rocking.collapse.others import check_floors, fit
 from rocking.records import Record, RecordError, load, read_record, read_table
 from rocking.records.floor_file import read_floor_file

@@ -8,8 +8,8 @@ filter run forwards and backwards (no phase shift; the gain at a corner is 1/2).
 from dataclasses import replace
 
 import numpy as np
-
 from record_files.errors import RecordError
+
 from yade_scripts.lists import listed
 
 MAX_DEGREE = 8

@@ -9,7 +9,6 @@ ground, another unit, floors from the top down, or a mean that the ground does n
 import re
 
 import numpy as np
-
 from record_files.captions import TIME_UNITS
 from record_files.columns import uniform_step
 from record_files.errors import RecordError
@@ -17,6 +16,7 @@ from record_files.header import heading_unit
 from record_files.layout import layout
 from record_files.record import UNITS_M_S2, unit_name
 from record_files.text import read_text
+
 from yade_scripts.lists import listed
 
 from .floor_check import GROUND, VERTICAL, check_floors

@@ -9,9 +9,9 @@ import re
 from pathlib import Path
 
 import numpy as np
-
 from record_files.errors import RecordError
 from record_files.text import read_text
+
 from yade_scripts.lists import listed
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 from yade_scripts.model.yielding import TabulatedFloors

@@ -5,11 +5,11 @@ import reprlib
 from dataclasses import fields
 
 import yaml
-
 from record_files.errors import RecordError
 from record_files.reader import nearest
 from record_files.record import MAX_DT_S, MIN_DT_S
 from record_files.text import read_text
+
 from yade_scripts.lists import listed
 
 from .surrogate_model import SOLVABLE_NOISE, SOLVABLE_PULSE, Noise, Pulse, Spec

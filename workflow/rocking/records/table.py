@@ -24,6 +24,7 @@ from record_files.errors import RecordError
 from record_files.reader import nearest
 from record_files.record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, unit_name
 from record_files.text import parse_number, read_text
+
 from yade_scripts.lists import listed
 
 FILE_COLUMNS = ("file", "vertical_file", "floors")

@@ -1,6 +1,7 @@
 """The hazard curve that a run states."""
 
 from record_files.errors import RecordError
+
 from studies.shared.hazard import HazardError, read_hazard
 from yade_scripts.lists import listed
 

@@ -17,9 +17,9 @@ import re
 from dataclasses import dataclass
 
 import numpy as np
+from record_files.text import comma_hint, read_text
 from rocking.records.intensity_measures import MEASURES
 
-from record_files.text import comma_hint, read_text
 from yade_scripts.lists import listed
 
 RATE = "annual_rate"

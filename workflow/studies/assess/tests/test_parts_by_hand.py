@@ -3,29 +3,15 @@
 import numpy as np
 import pytest
 from studies.assess.family import Family
-from study_cases import study_settings
+from study_cases import UNEVEN, study_settings
 
 from yade_scripts.model.part import part_of
 from yade_scripts.model.shape import shape_of
 
-FACADE = {
-    "height_m": 8.0,
-    "thickness_m": 0.6,
-    "width_m": 7.5,
-    "gable_height_m": 2.0,
-    "thickness_steps": [{"z_m": 3.0, "thickness_m": 0.5}, {"z_m": 5.5, "thickness_m": 0.4}],
-    "openings": [
-        {"x_m": -2.0, "z_m": 1.0, "width_m": 1.0, "height_m": 1.6},
-        {"x_m": 1.5, "z_m": 4.0, "width_m": 1.2, "height_m": 2.0},
-    ],
-    "ties": [{"height_m": 6.0}, {"height_m": 7.8}],
-    "floors": [{"height_m": 4.0, "load_kn": 20.0, "anchor_kn": 10.0, "arm_m": 0.1}],
-}
-
 
 @pytest.fixture(scope="module")
 def resolved():
-    return study_settings({"facade": FACADE})
+    return study_settings({"facade": UNEVEN})
 
 
 @pytest.mark.parametrize("foot_m", [1.0, 3.0, 4.5, 6.0])

@@ -11,13 +11,13 @@ from numbers import Real
 
 import numpy as np
 
-from yade_scripts.lists import listed
-
 from .errors import RecordError
 from .formats import FORMATS, WANTS, format_of
 from .header import COARSEST
 from .record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, Record, check_plausible, unit_name
 from .text import read_text
+
+SHOWN, LONGEST = 8, 50  # components in a message, characters of a label there
 
 
 def detect(path):
@@ -53,7 +53,9 @@ def choose_component(channels, component, path):
     `component` may be empty. A component that fits none, or more than one, is refused
     with the list of what there is.
     """
-    have = listed(f"#{i} {channel.label or '(no name)'!r}" for i, channel in enumerate(channels, 1))
+    names = [f"#{i} {c.label[:LONGEST] or '(no name)'!r}" for i, c in enumerate(channels, 1)]
+    more = f" and {len(names) - SHOWN} more" if len(names) > SHOWN else ""
+    have = ", ".join(names[:SHOWN]) + more
     if component in (None, ""):
         if len(channels) == 1:
             return channels[0]
