@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from both_solvers import pulses
+from reference_solver.stack import StackSolver
 from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
 from rocking.solver import rubbing, stable_step, stack_kernel
@@ -12,7 +13,6 @@ from rocking.solver.runs import Motions, fitted, history, peaks
 from rocking.solver.stack import LEAD
 from study_cases import study_case
 
-from reference_solver.stack import StackSolver
 from yade_scripts.model.models import build_scene
 from yade_scripts.model.scene import NO_DRAG
 
@@ -81,9 +81,9 @@ def test_parts_of_a_line_go_together_while_none_slides():
     draw, (ratio, friction, half) = np.random.default_rng(4), (0.33, 0.5, 0.2)
     planes = run_by("planar", courses("W1"), Motion.named("GMN_NS", SUITE), "pos").planes
     lines = planes[0].lines._replace(half_m=np.array([half]))
-    lines = lines._replace(edge_m=half * lines.edge_m[:1] / lines.edge_m[0, lines.parts[0]])
-    parts, rows = int(lines.parts[0]), np.zeros(rubbing.MEMORY)
-    edges = lines.edge_m[0, : parts + 1]
+    lines = lines._replace(edge_m=half * lines.edge_m[:1] / lines.edge_m[0, -1])
+    parts, rows = rubbing.PARTS, np.zeros(rubbing.MEMORY)
+    edges = lines.edge_m[0]
     shares, middle = np.diff(edges), 0.5 * (edges[1:] + edges[:-1])
     slip, together, slid = np.zeros(parts), 0, 0
     for k in range(400):

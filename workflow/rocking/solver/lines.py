@@ -22,10 +22,14 @@ from rocking.runtime.compiled import inlined
 
 from .faces import act, met, moving, withstand
 from .groups import law_of
-from .rubbing import BEHIND, COUNTED, DEPTH, HIGH, LOW, MEMORY, PARTS, WHOLE, rubbed
+from .rubbing import COUNTED, DEPTH, HIGH, LOW, MEMORY, PARTS, WHOLE, rubbed
 from .vectors import choose, like, put, some, take
 
 SIDE = 0.5 / math.sqrt(3.0)  # two springs there have the moments of an even line of length 1
+# ends of the parts over half a line: half way between parts of one length, which are too long at
+# the ends, and those of a cosine, too long in the middle
+EVEN = np.linspace(-1.0, 1.0, PARTS + 1)
+EDGES = 0.5 * (EVEN + np.sin(0.5 * math.pi * EVEN))
 
 
 class Lines(NamedTuple):
@@ -43,8 +47,7 @@ class Lines(NamedTuple):
     shear_ratio: np.ndarray
     beta_s: np.ndarray
     friction: np.ndarray
-    parts: np.ndarray  # (lines,), int: in so many friction is told
-    edge_m: np.ndarray  # (lines, PARTS + 1) their ends from the middle
+    edge_m: np.ndarray  # (lines, PARTS + 1) ends of the parts of friction from the middle
 
 
 def lines_of(scene, even, number, column):
@@ -87,24 +90,16 @@ def lines_of(scene, even, number, column):
             "half_m": 0.5 * length,
             "k_n_m2": kn.sum() / length,
             **law_of(nodes, first),
-            "parts": (parts := PARTS if abs(normal[1]) > abs(normal[0]) else BEHIND),
-            "edge_m": _edges(0.5 * length, parts),
+            "edge_m": 0.5 * length * EDGES,
         }
         for key, values in found.items():
             values.append(row[key])
-    whole = ("body_a", "body_b", "support", "parts")
+    whole = ("body_a", "body_b", "support")
     columns = {key: np.array(v, np.int64 if key in whole else float) for key, v in found.items()}
     for key in ("origin_m", "along", "normal"):
         columns[key] = columns[key].reshape(-1, 2)
     columns["edge_m"] = columns["edge_m"].reshape(-1, PARTS + 1)
     return Lines(**columns), taken
-
-
-def _edges(half_m, parts):
-    """Ends of the parts of a line from its middle [m], shorter towards its ends; then nothing."""
-    edges = np.zeros(PARTS + 1)
-    edges[: parts + 1] = -half_m * np.cos(math.pi * np.arange(parts + 1) / parts)
-    return edges
 
 
 def elements(lines, centre):

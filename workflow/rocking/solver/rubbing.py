@@ -10,7 +10,7 @@ from rocking.runtime.compiled import inlined
 
 from .vectors import choose, every, like, put, put_where, some, take
 
-PARTS, BEHIND = 32, 16  # in so many parts friction is told along beds, and along walls
+PARTS = 32  # in so many parts friction is told along a line
 # Rows a line: from where to where it pressed at the last step, its penetration then, d0 + d1·s, and
 # the share of that step for which it did; whether its parts go together: 1, then slip that all of
 # them have had since, and of the stored slips Σ length·slip, Σ length·slip² and the largest; then
@@ -21,10 +21,10 @@ SOME = 8  # parts that are passed over at once where none is pressed
 
 
 @inlined
-def _apart(rows, first, parts, mask):
+def _apart(rows, first, mask):
     """Give the parts of a line that went together their own slips."""
     since = take(rows, first + SINCE)
-    for part in range(parts):
+    for part in range(PARTS):
         had = take(rows, first + SLIP + part)
         put(rows, first + SLIP + part, choose(mask, had + since, had))
     put_where(rows, first + WHOLE, mask, 0.0)
@@ -64,7 +64,7 @@ def rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
     holds = together & throughout
     holds = holds & (ratio * (take(rows, first + MOST) + abs(since)) <= least)
     if some(together & ~holds):
-        _apart(rows, first, lines.parts[i], together & ~holds)
+        _apart(rows, first, together & ~holds)
     none = like(0.0, h0)
     shear = stuck = grip = none
     if some(holds):
@@ -93,7 +93,7 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
     shear = first_moment = stuck = grip = loss = stored = top = like(0.0, h0)
     glides = each & ~each
     even = not counts and every(throughout | ~each)
-    for begin in range(0, lines.parts[i], SOME):
+    for begin in range(0, PARTS, SOME):
         low_edge, high_edge = lines.edge_m[i, begin], lines.edge_m[i, begin + SOME]
         if not (even or counts or some(each & (min(high, high_edge) > max(low, low_edge)))):
             continue
