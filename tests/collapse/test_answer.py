@@ -84,7 +84,7 @@ def test_the_terminal_says_it_in_a_line_a_model():
         [row(tables, told([0.25, 0.25]), checked), {**row([curve(3.0)] * 2), "model": "W2m"}]
     )
     head, first, second, building = answer.lines(table)
-    assert head.startswith("under 2 motions of 1 station half of the histories fell from a PGA of")
+    assert head == "half of the histories fell from this PGA on (2 motions of 1 station):"
     assert first.startswith("  W1   0.30 g (0 % at 0.2 g, 50 % at 0.3 g, 100 % at 0.4 g)")
     assert first.endswith("YADE: 1 fell and 1 stood as foretold")
     assert second.startswith("  W2m  more than was run")

@@ -25,7 +25,7 @@ def test_a_run_of_the_defaults_ends_with_an_answer_that_yade_has_checked(tmp_pat
     assert checked.groupby("model")["foretold"].agg(list).tolist() == [[0, 1], [0, 1]]
     assert answer["pga_building_g"].notna().tolist() == [False, True]  # no building moves W1's
     assert (tmp_path / "results/one/figures/answer.png").stat().st_size > 10_000
-    said = done.stderr.partition("one: under 1 motion of 1 station half of the histories")[2]
+    said = done.stderr.partition("one: half of the histories fell from this PGA on (1 motion")[2]
     first, second, building = said.splitlines()[1:4]
     assert first.startswith(f"  W1   {answer['pga_half_g'][0]:.2f} g")
     assert second.startswith(f"  W2m  {answer['pga_half_g'][1]:.2f} g")

@@ -157,10 +157,10 @@ def _counted(number, what):
 def lines(table):
     """What the table says in plain words, a line a model, for the terminal."""
     first = table.iloc[0]
-    ways = ", both ways" if first["curves"] > first["motions"] else ""
+    ways = ", in both directions" if first["curves"] > first["motions"] else ""
     said = [
-        f"under {_counted(first['motions'], 'motion')} of {_counted(first['stations'], 'station')}"
-        f"{ways} half of the histories fell from a PGA of"
+        f"half of the histories fell from this PGA on ({_counted(first['motions'], 'motion')} of "
+        f"{_counted(first['stations'], 'station')}{ways}):"
     ]
     for one in table.to_dict("records"):
         half = one["pga_half_g"]
