@@ -4,10 +4,10 @@ The way in, without Snakemake::
 
     from rocking import Case, Motion, collapse_curve
 
-    case = Case.configured("W2", {"facade.height_m": 6.0})
-    print(collapse_curve(case, Motion.named("RRS228"), "neg").summary())
+    case = Case.configured("W2m", {"facade.height_m": 6.0})
+    print(collapse_curve(case, Motion.named("GMN_NS"), "neg").summary())
 
-Names are loaded when they are asked for, so that `import rocking` stays quick.
+A name is loaded when it is first used, so that `import rocking` stays quick.
 """
 
 import importlib

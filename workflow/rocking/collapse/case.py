@@ -101,7 +101,7 @@ class Case:
         model : str
             A name of `yade_scripts.model.registry`.
         config : path, mapping or None
-            A configuration file, or values by section or dotted key; what it leaves open has its
+            A configuration file, or values by section or dotted key; a key that is left out has its
             default.
 
         Raises
@@ -114,7 +114,7 @@ class Case:
         Warns
         -----
         NoEffectWarning
-            Of a key that is stated without the one it acts with.
+            Of a key that does nothing, since the key with which it acts is not stated.
         """
         registry.model(model)
         given = config or {}
@@ -208,7 +208,7 @@ class Case:
         return registry.model(self.model)
 
     def get(self, key: str) -> Any:
-        """Value of a dotted key; a ValueError of one line for a key that the case has not."""
+        """Return the value of a dotted key; an unknown key is a ValueError of one line."""
         return place(self.sections, key)[0][key.rpartition(".")[2]]
 
     def varied(self, variant: "Variant | Mapping[str, Any]") -> "Case":
@@ -225,7 +225,7 @@ class Case:
             In one line, for a key that the case has not, for a value that the configuration would
             refuse there, or for a façade that it would refuse as a whole.
         TypeError
-            For what is neither.
+            For anything else.
         """
         if isinstance(variant, Mapping):
             variant = Variant(changes=variant)
@@ -262,14 +262,14 @@ class Case:
         law : path
             See `chosen`.
         wedge_deg : float
-            Angle from the vertical of the crack that a wedge of the return walls goes along with
-            the part at; 0: none.
+            Angle from the vertical of the crack behind which a wedge of the return walls turns with
+            the part; 0: no wedge.
 
         Raises
         ------
         ValueError
-            In one line, for heights that the façade has not, or a part that the configuration would
-            refuse as a façade: too stocky to rock, or one that does not stand.
+            In one line, for heights beyond the façade, or a part that the configuration would
+            refuse as a façade: too stocky to rock, or unable to stand.
 
         Examples
         --------
@@ -297,7 +297,7 @@ class Case:
         return Case({**self.sections, "beta_s": beta_for(self.sections, law)})
 
     def checked(self) -> "Case":
-        """Return the case, if the solvers have all that they need of it.
+        """Return the case, if it states all that the solvers need.
 
         Raises
         ------

@@ -51,7 +51,7 @@ class Curve(Outcome):
     found
         What the search returns, such as the crossings of a short climb.
     wall_s : float
-        Time that it took.
+        Seconds that the curve took.
     """
 
     model: str
@@ -159,7 +159,7 @@ def collapse_curve(
         In one line, for an unknown direction, solver, search or setting, or a case that the solver
         cannot run.
     TypeError
-        For what is no Case or no Motion.
+        For arguments that are not a Case and a Motion.
 
     Examples
     --------
@@ -187,7 +187,7 @@ def collapse_curves(
     settings: Mapping[str, Any] | Sequence[Mapping[str, Any]] | None = None,
     **options: Any,
 ) -> list[Curve]:
-    """`collapse_curve` of a case under some motions: what their searches ask for marches together.
+    """Find the curves of a case under several motions; their histories march side by side.
 
     Faster than one curve after the other where searches ask for few histories at a time.
 
@@ -325,7 +325,7 @@ def history(
     solver: Solver = "planar",
     sample_s: float = 0.01,
 ) -> History:
-    """One history of a case under a motion at one intensity.
+    """Run one history of a case under a motion at one intensity.
 
     Parameters
     ----------
@@ -345,7 +345,7 @@ def history(
     Raises
     ------
     ValueError, TypeError
-        As `collapse_curve`, and for an intensity or interval that is no number above 0.
+        As of `collapse_curve`, and for an intensity or interval that is not a number above 0.
 
     Examples
     --------

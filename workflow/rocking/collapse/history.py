@@ -28,7 +28,7 @@ class Outcome:
 
 @dataclass(frozen=True, eq=False)
 class History(Outcome):
-    """One history.
+    """One history: how a case moved under one motion at one intensity.
 
     Attributes
     ----------

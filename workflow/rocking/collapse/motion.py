@@ -50,7 +50,7 @@ class Motion:
     first : Motion, or None
         A shock before this one, on the same case and in the same direction.
     first_pga_g : float
-        Its peak ground acceleration; 0: there is none.
+        Peak ground acceleration of that shock; 0: no first shock.
     pause_s : float
         From the end of its motion to the beginning of this one.
     of_chain : bool
@@ -314,7 +314,7 @@ class Motion:
         ValueError
             In one line, for anything else.
         TypeError
-            For what is no variant.
+            For anything but a variant.
         """
         changes = getattr(variant, "motion", None)
         if not isinstance(changes, Mapping):

@@ -135,12 +135,12 @@ class Estimate:
 
     @property
     def low(self):
-        """16 % of the motions fell it below."""
+        """Intensity below which 16 % of the motions fell the façade."""
         return self.median * math.exp(-self.dispersion)
 
     @property
     def high(self):
-        """84 % of the motions fell it below."""
+        """Intensity below which 84 % of the motions fell the façade."""
         return self.median * math.exp(self.dispersion)
 
     def probability(self, intensity):
@@ -163,7 +163,7 @@ class Estimate:
 
 
 def estimate(case: "Case", measure: str = "pga_g", law: str | Path | None = None) -> "Estimate":
-    """Half collapse of a case by the formula, without a history.
+    """Estimate half collapse of a case by the formula, without a history.
 
     Parameters
     ----------
