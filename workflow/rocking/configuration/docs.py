@@ -25,7 +25,7 @@ INTRO = """\
 <!-- Written by `python -m rocking.configuration.docs` from workflow/schemas/; edit those. -->
 
 `config/config.yaml` holds what differs from the defaults below; an empty one runs what is
-recommended, the elastic wall in courses before a building that yields. A
+recommended: the elastic wall in courses, and a building that yields. A
 misspelt key is refused by name with the nearest right one, a value out of range with its unit. The
 complete configuration of each run, defaults included, is saved beside its results.
 

@@ -1,6 +1,6 @@
 """The study's own configuration, `config/scenarios/study.yaml`: what it was made with.
 
-A rigid block on springs of E/h with its β, before a building that stays elastic. Defaults are not
+A rigid block on springs of E/h with its β, with a building that stays elastic. Defaults are not
 the study's: what rests on it, as tests and formulas do, names its keys.
 """
 

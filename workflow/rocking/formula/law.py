@@ -3,7 +3,7 @@
     ln IM50 = ln tan α + Σ c_k t_k,      ln IM ~ Normal(ln IM50, δ²) over ground motions
 
 with the groups t_k of `groups.terms`, and IM any of `MEASURES`. A base other than the one of the
-atlas has a second sum for the ratio of the two; before a building that yields `yielding` says what
+atlas has a second sum for the ratio of the two; with a building that yields `yielding` says what
 its strength does.
 """
 

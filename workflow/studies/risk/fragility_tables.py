@@ -62,7 +62,7 @@ def shares(curves, dense, per_pga):
 
 
 def building_shares(curves, dense, per_pga):
-    """Of every curve before a building that yields: intensity, share that falls, share of it down.
+    """Of every curve with a building that yields: intensity, share that falls, share of it down.
 
     By key; without curves whose building stays elastic or was not followed.
     """
