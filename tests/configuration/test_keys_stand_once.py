@@ -59,7 +59,7 @@ def test_a_key_has_one_schema_and_a_pipe_is_not_waited_for(tmp_path, monkeypatch
     monkeypatch.setattr(schema, "STUDIES", tmp_path)
     monkeypatch.setattr(schema, "sections", schema.sections.__wrapped__)
     path = own / "facade.schema.yaml"
-    path.write_text("properties: {height_m: {type: number}}\n")
+    path.write_text("properties: {height_m: {type: number, default: 1.0}}\n")
     with pytest.raises(schema.ConfigError, match="own/facade.schema.yaml: facade.height_m stands"):
         schema.sections()
     path.unlink()

@@ -141,24 +141,23 @@ def said(given):
     [
         (
             {"smdof": {"base_shear_ratio": None, "loops": "flag"}},
-            "smdof.loops = 'flag' has no effect: it acts with smdof.base_shear_ratio = a number "
+            "smdof.loops = 'flag' has no effect without smdof.base_shear_ratio = a number "
             "(found null)",
         ),
         (
             {"facade": {"flush_face": "inner"}},
-            "facade.flush_face = 'inner' has no effect: it acts with facade.top_thickness_m = a "
+            "facade.flush_face = 'inner' has no effect without facade.top_thickness_m = a "
             "number (found null) or facade.thickness_steps = a list that is not empty (found []) "
             "or facade.parapet_height_m = a number > 0 (found 0) and "
             "facade.parapet_thickness_m = a number (found null)",
         ),
         (
             {"facade": {"floors": [{"height_m": 3.0, "load_kn": 10.0, "period_s": 0.2}]}},
-            "facade.floors[1].period_s = 0.2 has no effect: it acts with mass_t = a number > 0 "
-            "(found 0)",
+            "facade.floors[1].period_s = 0.2 has no effect without mass_t = a number > 0 (found 0)",
         ),
         (
             {"assessment": {"arch_thrust_kn": 3.0}},
-            "assessment.arch_thrust_kn = 3 has no effect: it acts with assessment.mechanisms = a "
+            "assessment.arch_thrust_kn = 3 has no effect without assessment.mechanisms = a "
             "list with 'horizontal' (found ['compound'])",
         ),
     ],

@@ -3,8 +3,6 @@
 import numpy as np
 import pytest
 from record_files.header import stated_channels, stated_counts, stated_steps, stated_unit
-
-# X stated_counts, stated_steps, stated_unit
 from record_samples import motion
 from rocking.records import RecordError, read_record
 

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from both_solvers import pulses
+from reference_solver.stack import StackSolver
 from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
 from rocking.solver import rubbing, stable_step, stack_kernel
@@ -12,7 +13,6 @@ from rocking.solver.runs import Motions, fitted, history, peaks
 from rocking.solver.stack import LEAD
 from study_cases import study_case
 
-from reference_solver.stack import StackSolver
 from yade_scripts.model.models import build_scene
 from yade_scripts.model.scene import NO_DRAG
 

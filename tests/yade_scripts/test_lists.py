@@ -46,6 +46,8 @@ def _own(node):
     """Whether a name in capitals is joined, or what such a name holds: the code's own list."""
     if isinstance(node, (ast.Tuple, ast.List)):
         return all(map(_own, node.elts))
+    if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Slice) and node.slice.upper:
+        return True  # the first of them
     if isinstance(node, (ast.Starred, ast.Subscript)):
         return _own(node.value)
     if isinstance(node, ast.Attribute):
@@ -92,6 +94,8 @@ def unbounded(source):
         ("stop(', '.join(sorted(there)))", [2]),
         ("raise ConfigError(', '.join(MEASURES))", []),
         ("return ', '.join(names)", []),
+        ("stop(', '.join(names[:5]))", []),
+        ("stop(', '.join(names[5:]))", [2]),
     ],
 )
 def test_the_rule_below_notices(text, lines):

@@ -116,8 +116,7 @@ def facade_scene(
     _refuse(model, kind, release_ratio)
     if two_components and (planar or kind.two_way or shape.hinges_m):
         raise ValueError(f"{model}: two components need a full scene, one block, driven supports")
-    motions: dict = {}
-    hangs = kind.two_way and bool(facade.base_height_m)
+    motions, hangs = dict[str, dict](), kind.two_way and bool(facade.base_height_m)
     blocks, nodes = [ground_block(facade, _base_motion(config, kind, motions))], NodeList()
     walls_stand = kind.walls != "none" and not facade.is_free
     columns = None if planar else _columns(shape.base_strips, width_nodes)

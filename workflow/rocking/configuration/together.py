@@ -48,7 +48,8 @@ def without_effect(resolved: Mapping, stated: Mapping) -> Iterator[str]:
             continue
         said = list(_said(path, value, schema, resolved, {}))
         yield from said if said and value != _left_open(path, given) else ()
-        for number, entry in enumerate(value if entries else (), 1):
+        rows = value if entries and isinstance(value, list) else ()
+        for number, entry in enumerate(rows, 1):
             for key, part in entries:
                 if entry.get(key) not in (None, part.get("default")):
                     yield from _said(f"{path}[{number}].{key}", entry[key], part, resolved, entry)
@@ -92,7 +93,7 @@ def _said(
     sets = needs(schema)
     if sets and not any(met(one, resolved, entry) for one in sets):
         words = " or ".join(_words(one, resolved, entry) for one in sets)
-        yield f"{path} = {show(value)} has no effect: it acts with {words}"
+        yield f"{path} = {show(value)} has no effect without {words}"
 
 
 def met(conditions: Needs, resolved: Mapping, entry: Mapping | None = None) -> bool:

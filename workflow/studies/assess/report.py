@@ -195,6 +195,7 @@ def rests_on(data):
     return [
         say("page.rests.demand", demand=data.demand_said, pga_g=data.demand_g),
         moving,
+        *building_said(models, data.config["smdof"]["base_shear_ratio"], say),
         say(f"page.rests.{'courses' if courses else 'blocks'}", density=data.facade.density_kg_m3),
         say("page.rests.width"),
         shaken,
@@ -204,6 +205,13 @@ def rests_on(data):
         *beta_said(data),
         *formula_said(words.outliers(data.config, whole), say),
     ]
+
+
+def building_said(models, ratio, say):
+    """Line on what the building behind the façade does, where a model has one."""
+    if not any(MODELS[name].chain for name in models):
+        return []
+    return [say("page.rests.yields", ratio=ratio) if ratio else say("page.rests.elastic")]
 
 
 def floors_said(floors, counts, say):

@@ -9,6 +9,7 @@ it. The check of one that no floor rubs is not made again.
 import json
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
 from rocking import Case, Motion
 from rocking.records import load_as, measures
@@ -38,7 +39,7 @@ def main(job):
         alike = {part for part, one in parts.items() if one.sections == stated[part].sections}
         records = {name: load_as(settings, name, p.table) for name, _ in p.curves}
         rows = [{"friction": int(other), **_checked(job, parts, alike, records, settings)}]
-        rows[0] |= _collapse(job, parts, records, settings)
+        rows[0] |= _collapse(job, parts, alike, records, settings)
     write_table(rows, job.output[0], None if rows else CHECK)
 
 
@@ -69,17 +70,23 @@ def _one_a_station(p):
     return list(first.values())
 
 
-def _collapse(job, parts, records, settings):
-    """Collapse under one component a station, as a row of dynamic.csv."""
+def _collapse(job, parts, alike, records, settings):
+    """Collapse under one component a station, as a row of dynamic.csv.
+
+    Where a mechanism that no floor rubs falls, as the report has it, no other is followed beyond.
+    """
     p, file = job.params, str(job.input.hazard)
     curves, most_g = _one_a_station(p), settings["ida.max_pga_g"]
     turns = [(Motion(records[name]), direction) for name, direction in curves]
     stated = _stated(job).set_index(["part", "record", "direction"])
-    below = None
+    known, below = np.full(len(curves), np.nan), None
+    for part in alike:
+        own = [stated.at[(part, *curve), "pga_median_g"] for curve in curves]
+        known = np.fmin(known, np.array(own, float))
     if not settings["assessment"]["floor_friction"]:
         stood = stated["pga_median_g"].fillna(stated["pga_max_g"])
         below = {part: [STANDS * stood[(part, *curve)] for curve in curves] for part in parts}
-    found = by_part(parts, turns, most_g, [float("nan")] * len(turns), below)
+    found = by_part(parts, turns, most_g, known, below)
     rows = []
     for k, (motion, direction) in enumerate(turns):
         about = {"model": p.model, "record": motion.name, "direction": direction}
