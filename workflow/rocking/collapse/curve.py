@@ -9,8 +9,8 @@ from typing import Any, Literal
 
 import numpy as np
 import pandas as pd
-
 from record_files.reader import nearest
+
 from rocking.collapse import building, probability, search
 from rocking.collapse.case import Case
 from rocking.collapse.equivalent import SLOPE
