@@ -1,7 +1,6 @@
 """Walls of the planar solver for tests, and the rates of its compiled law."""
 
 import numpy as np
-
 from reference_solver import Wall
 from reference_solver.contact import law_of, rates
 

@@ -6,10 +6,9 @@ import re
 import numpy as np
 import pytest
 import record_samples as samples
+from record_files.text import read_text
 from record_samples import put, read, refusal
 from rocking.records import RecordError
-
-from record_files.text import read_text
 
 
 def test_truncated_file_is_refused_where_the_number_of_samples_is_declared(tmp_path, sample):

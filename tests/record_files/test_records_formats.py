@@ -5,10 +5,10 @@ import re
 import numpy as np
 import pytest
 import record_samples as samples
-from record_samples import put, read, refusal
-
 from record_files import RecordError, read_record
 from record_files.units import G_M_S2, unit_name
+from record_samples import put, read, refusal
+
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 
 

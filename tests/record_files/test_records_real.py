@@ -5,11 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import record_samples as samples
-from rocking.records import detect, integrate, read_record
-
 from record_files import FORMATS
 from record_files.reader import _detect
 from record_files.text import text_from_bytes
+from rocking.records import detect, integrate, read_record
 
 FILES = Path(__file__).parents[3] / "shared" / "formats"
 REAL = {  # file: (format, component, step, samples)

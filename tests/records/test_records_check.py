@@ -8,14 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import record_samples as samples
+from record_files.reader import open_file, pick
+from record_files.record import G_M_S2, Record
 from rocking.records import check as module
 from rocking.records import read_table
 from rocking.records.check import check_records, check_runs
 from rocking.runs import Runs
 from run_script import script
-
-from record_files.reader import open_file, pick
-from record_files.record import G_M_S2, Record
 
 ROOT = Path(__file__).parents[2]
 SUITE = ROOT / "config" / "suites" / "recorded_suite.tsv"

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import record_samples as samples
+from record_files.record import significant_duration
 from rocking.records import (
     G_M_S2,
     Record,
@@ -18,8 +19,6 @@ from rocking.records import (
     treat,
     write_csv,
 )
-
-from record_files.record import significant_duration
 
 
 def sine(n=2001, dt_s=0.005, amplitude=2.0, period_s=1.0):

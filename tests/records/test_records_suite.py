@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import record_samples as samples
+from record_files import packed
+from record_files.reader import open_file, pick
 from rocking.records import (
     RecordError,
     integrate,
@@ -18,9 +20,6 @@ from rocking.records import (
     read_table,
     write_csv,
 )
-
-from record_files import packed
-from record_files.reader import open_file, pick
 
 ROOT = Path(__file__).parents[2]
 TABLE = ROOT / "config" / "suites" / "recorded_suite.tsv"

@@ -3,8 +3,6 @@
 import numpy as np
 import pytest
 from planar_cases import facade, rate, sorrentino
-from scipy.integrate import solve_ivp
-
 from reference_solver import simulate
 from reference_solver.contact import (
     OMEGA,
@@ -16,6 +14,7 @@ from reference_solver.contact import (
     Z,
     initial,
 )
+from scipy.integrate import solve_ivp
 
 
 def plain_rates(wall, state, base, u, v):

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from planar_cases import facade
-
 from reference_solver import SupportTable, integrate
 from reference_solver.motion import integrate_linear
 

@@ -5,9 +5,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from planar_cases import facade, rate, sorrentino
-from rocking.mechanics import closed_forms as cf
-from sliding_block import sliding_response
-
 from reference_solver import Steps, SupportTable, Wall, simulate, simulate_batch
 from reference_solver.adaptive import run
 from reference_solver.contact import (
@@ -22,6 +19,9 @@ from reference_solver.contact import (
 from reference_solver.integrate import COLUMNS, Control
 from reference_solver.motion import integrate_linear
 from reference_solver.wall import rule
+from rocking.mechanics import closed_forms as cf
+from sliding_block import sliding_response
+
 from smdof import floor_motions
 from yade_scripts.model.quadrature import gauss_lobatto
 

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from both_solvers import pulses
+from reference_solver import simulate
+from reference_solver.facade import answers, motion_of, one_block, outcomes, wall_of
+from reference_solver.stack import StackSolver
 from rocking.solver import Motions, history, moving_supports, to_plane
 from study_cases import study_case
 from yade_process import resolved
 
-from reference_solver import simulate
-from reference_solver.facade import answers, motion_of, one_block, outcomes, wall_of
-from reference_solver.stack import StackSolver
 from smdof import floor_motions, shear_chain
 from yade_scripts.model import floor_motions as files
 from yade_scripts.model.facade import facade_scene

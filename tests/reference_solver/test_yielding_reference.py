@@ -1,9 +1,9 @@
 """A building that yields, by the reference solvers and by the compiled one."""
 
 import pytest
+from reference_solver.facade import answers
 from rocking import Motion, history
 
-from reference_solver.facade import answers
 from tests.cases import yielding_cases
 
 

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 from both_solvers import BETA_S, pulses
+from reference_solver import SupportTable, simulate_batch
+from reference_solver.facade import wall_of
 from rocking import Motion as Shaking
 from rocking import Variant
 from rocking.collapse.case import FIDELITY_FILE
@@ -19,8 +21,6 @@ from test_floors import slow
 from test_ties import G
 from yade_process import in_yade, resolved
 
-from reference_solver import SupportTable, simulate_batch
-from reference_solver.facade import wall_of
 from yade_scripts.model import base
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.models import build_scene

@@ -2,7 +2,9 @@
 
 import numpy as np
 import pytest
+import reference_solver as reference
 from friction_cases import thrown
+from reference_solver import contact
 from rocking.collapse.scan import BRICKS_STEP, driving
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from rocking.solver import Motions, history, law, march, stack_kernel, to_plane
@@ -10,8 +12,6 @@ from rocking.solver.runs import _set_up, stable_step
 from test_bricks import job, shaking
 from yade_process import in_yade, resolved
 
-import reference_solver as reference
-from reference_solver import contact
 from yade_scripts.model.floor_motions import motion_columns
 from yade_scripts.model.models import build_scene
 from yade_scripts.model.stiffness import critical_step

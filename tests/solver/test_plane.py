@@ -7,12 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import reference_solver as reference
 from rocking import solver
 from rocking.mechanics import closed_forms as cf
 from rocking.solver import Motions, bodies, history, moving_supports, peaks, to_plane
 from yade_process import in_yade, resolved
 
-import reference_solver as reference
 from smdof import floor_motions
 from smdof.chain import shear_chain
 from yade_scripts.model.facade import facade_scene

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import reference_solver as reference
 from rocking.collapse.scan import carried_masses
 from rocking.configuration.config import ConfigError
 from rocking.mechanics import closed_forms as cf
@@ -15,7 +16,6 @@ from rocking.solver import Motions, history, peaks
 from test_plane import BETA_S, case, shaking, slender, wall_of
 from yade_process import in_yade, resolved
 
-import reference_solver as reference
 from yade_scripts.model import floor_motions, registry
 from yade_scripts.model.models import build_scene
 

@@ -29,6 +29,7 @@ ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "workflow"), str(ROOT / "tests" / "cases")]
 
 import record_samples  # noqa: E402
+from record_files.record import MAX_DT_S, MAX_PGA_G, MIN_DT_S, MIN_PGA_G  # noqa: E402
 from rocking.records import (  # noqa: E402
     FORMATS,
     RecordError,
@@ -37,8 +38,6 @@ from rocking.records import (  # noqa: E402
     read_specs,
     read_table,
 )
-
-from record_files.record import MAX_DT_S, MAX_PGA_G, MIN_DT_S, MIN_PGA_G  # noqa: E402
 
 REAL = ROOT.parent / "shared" / "formats"
 SECONDS = 5.0  # of processor time for one input of the usual size

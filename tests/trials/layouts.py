@@ -23,9 +23,8 @@ import numpy as np
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT), str(ROOT / "workflow")]
 
-from rocking.records import RecordError, read_record  # noqa: E402
-
 from record_files.units import UNITS_M_S2  # noqa: E402
+from rocking.records import RecordError, read_record  # noqa: E402
 
 OTHERS = {  # units of what is no acceleration
     **{"m/s": 0.05, "cm/s": 5.0, "cm": 2.0, "counts": 3000.0, "mV": 40.0},

@@ -17,10 +17,10 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 
 import numpy as np
-
 from reference_solver import Steps, SupportTable, simulate, simulate_batch
 from reference_solver.facade import wall_of
 from reference_solver.stack import StackSolver
+
 from rocking import solver
 from rocking.collapse.scan import layouts
 from rocking.configuration.config import resolve

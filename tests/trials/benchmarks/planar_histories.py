@@ -16,14 +16,14 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(ROOT), str(ROOT / "workflow")]
 
+from reference_solver import SupportTable, simulate_batch  # noqa: E402
+from reference_solver.facade import wall_of  # noqa: E402
 from rocking.collapse.scan import Screen  # noqa: E402
 from rocking.configuration import config  # noqa: E402
 from rocking.configuration.study import as_in_the_study  # noqa: E402
 from rocking.fidelity import choose, read_fidelity  # noqa: E402
 from rocking.records import load, read_table  # noqa: E402
 
-from reference_solver import SupportTable, simulate_batch  # noqa: E402
-from reference_solver.facade import wall_of  # noqa: E402
 from smdof import floor_motions, shear_chain  # noqa: E402
 from yade_scripts.model.motion import amplitude  # noqa: E402
 

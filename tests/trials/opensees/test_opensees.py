@@ -7,8 +7,8 @@ import sys
 import numpy as np
 import pytest
 from both_solvers import pulses
-
 from reference_solver.stack import StackSolver
+
 from tests.trials.opensees import run
 from yade_scripts.model.models import build_scene
 

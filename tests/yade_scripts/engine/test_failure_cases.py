@@ -3,10 +3,9 @@
 import numpy as np
 import pandas as pd
 import pytest
+from reference_solver.facade import peak_and_end
 from sliding_block import slip_rectangular_pulse
 from yade_process import in_yade, resolved
-
-from reference_solver.facade import peak_and_end
 
 pytestmark = pytest.mark.yade
 BETA_S = 0.00276

@@ -4,12 +4,12 @@ import dataclasses
 
 import numpy as np
 import pytest
+from reference_solver.facade import wall_of
 from rocking.configuration import config, schema
 from rocking.solver import Motions, peaks, to_plane
 from study_cases import study_settings
 from yade_process import resolved
 
-from reference_solver.facade import wall_of
 from yade_scripts.model import models, registry
 from yade_scripts.model.scene import to_json
 

@@ -8,6 +8,7 @@ from numbers import Real
 from typing import Any
 
 from record_files.reader import nearest
+
 from rocking.configuration import config as configuration
 from rocking.configuration import refusals, schema
 from yade_scripts.model import registry

@@ -9,11 +9,11 @@ import os
 from dataclasses import replace
 
 import numpy as np
-
 from record_files import FORMATS
 from record_files.errors import RecordError
 from record_files.reader import detect, nearest, read_record
 from record_files.record import G_M_S2, Record, integrate, measures
+
 from rocking.shipped import shipped
 
 from .baseline import treat

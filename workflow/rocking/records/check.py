@@ -18,11 +18,11 @@ from pathlib import Path
 from warnings import catch_warnings, simplefilter
 
 import numpy as np
-
 from record_files.errors import RecordError
 from record_files.reader import open_file, pick
 from record_files.record import G_M_S2, integrate, measures
 from record_files.text import MAX_BYTES
+
 from yade_scripts.files import write_json
 
 from . import floor_table, read_specs, surrogates_for

@@ -3,7 +3,6 @@
 import warnings
 
 import numpy as np
-
 from record_files.errors import RecordError
 from record_files.record import check_plausible, integrate
 

@@ -9,11 +9,11 @@ import json
 import os
 
 import numpy as np
-
 from record_files.columns import read_columns
 from record_files.errors import RecordError
 from record_files.record import SOURCES, Record
 from record_files.text import read_text
+
 from yade_scripts.files import write_atomic, write_json
 
 _KEYS = {"name": str, "dt_s": float, "source": str, "units_read": str, "baseline": str}

@@ -24,7 +24,6 @@ import zlib
 from operator import itemgetter
 
 import numpy as np
-
 from record_files.errors import RecordError
 from record_files.record import G_M_S2, MAX_PGA_G, MIN_PGA_G, Record
 

@@ -4,7 +4,6 @@ import math
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-
 from record_files.record import integrate
 
 SOLVABLE_PULSE = ("amplitude_m_s", "period_s")

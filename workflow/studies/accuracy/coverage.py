@@ -10,10 +10,10 @@ import math
 
 import numpy as np
 import pandas as pd
+from reference_solver.facade import outcomes
 from rocking.collapse import probability
 from scipy.optimize import isotonic_regression
 
-from reference_solver.facade import outcomes
 from studies.accuracy.dense import dense
 from yade_scripts.commands.search import drive
 

@@ -4,8 +4,8 @@ import math
 from pathlib import Path
 
 import numpy as np
-
 from record_files.text import read_text
+
 from studies.assess import national
 from studies.assess.code_spectrum import EurocodeDemand
 from studies.assess.demand import RecordDemand, TableDemand

@@ -19,6 +19,7 @@ import math
 from dataclasses import replace
 
 import numpy as np
+from reference_solver.facade import answers
 from rocking.collapse import search
 from rocking.collapse.case import Case
 from rocking.collapse.curve import run_by
@@ -27,7 +28,6 @@ from rocking.configuration.schema import ConfigError
 from rocking.configuration.study import as_in_the_study
 from rocking.solver.runs import STEP_FRACTION
 
-from reference_solver.facade import answers
 from yade_scripts.model.registry import REFERENCE_MODELS
 
 SHARES = (0.5, 0.8)  # of the lowest collapse

@@ -4,11 +4,11 @@ import math
 import tempfile
 
 import numpy as np
+from reference_solver import SupportTable, Wall
+from reference_solver.batch import simulate_batch
 from rocking.collapse.yade import run_yade
 from rocking.tables import write_json
 
-from reference_solver import SupportTable, Wall
-from reference_solver.batch import simulate_batch
 from studies.overturning import blocks, geometry
 from studies.overturning.table import STEP_S
 from yade_scripts.files import read_json

@@ -8,11 +8,11 @@ import numpy as np
 import pandas as pd
 import pytest
 import yaml
+from reference_solver import simulate
 from rocking.configuration.config import ConfigError
 from rocking.mechanics.closed_forms import restitution_housner
 from rocking.solver import Motions, history, peaks, stable_step, to_plane
 
-from reference_solver import simulate
 from studies.overturning import (
     blocks,
     draws,

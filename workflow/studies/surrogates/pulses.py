@@ -11,10 +11,9 @@ p∫(a/αg)e^{−pτ}dτ ≥ 1).
 from typing import NamedTuple
 
 import numpy as np
+from record_files.record import integrate
 from rocking.records.surrogate_model import SOLVED, Noise, Pulse, Spec
 from scipy.signal import correlate, lfilter
-
-from record_files.record import integrate
 
 PERIODS_S = np.geomspace(0.2, 8.0, 28)
 CYCLES = (1.2, 1.6, 2.0, 3.0)

@@ -3,11 +3,10 @@
 import os
 import time
 
+from reference_solver.facade import peak_and_end
 from rocking.runtime.script import pool_of, run
 from rocking.tables import read_json, write_table
 from studies.accuracy.errors import ADAPTIVE
-
-from reference_solver.facade import peak_and_end
 
 
 def one(arguments):

@@ -1,12 +1,11 @@
 """Realisations that a stable median needs, and the planar solver's median where they spread."""
 
 import numpy as np
+from reference_solver.facade import ensemble_peaks
 from rocking.collapse.ida import by_curve
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
 from studies.accuracy.ensemble import realisations_needed
-
-from reference_solver.facade import ensemble_peaks
 
 TOLERANCE = 0.05  # half width of the interval about the median of d/b
 LEVELS = 2

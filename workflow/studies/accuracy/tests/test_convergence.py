@@ -5,13 +5,13 @@ from types import SimpleNamespace
 import numpy as np
 import pandas as pd
 import pytest
+from reference_solver import facade as reference
+from reference_solver.facade import ensemble_peaks, peak_and_end
 from rocking import fidelity
 from rocking.mechanics.closed_forms import block, overturning_half_sine, overturning_rectangular
 from studies.accuracy import errors as study
 from yade_process import in_yade, resolved
 
-from reference_solver import facade as reference
-from reference_solver.facade import ensemble_peaks, peak_and_end
 from yade_scripts.model import facade
 from yade_scripts.model.motion import STANDARD_GRAVITY_M_S2, amplitude
 from yade_scripts.model.quadrature import gauss_lobatto

@@ -3,11 +3,11 @@
 import numpy as np
 import pandas as pd
 import pytest
+from reference_solver.facade import peak_and_end
 from studies.accuracy import errors as study
 from studies.accuracy import histories
 from yade_process import resolved
 
-from reference_solver.facade import peak_and_end
 from yade_scripts.model import floor_motions
 from yade_scripts.model.motion import STANDARD_GRAVITY_M_S2
 

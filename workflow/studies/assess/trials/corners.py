@@ -143,6 +143,7 @@ def main():
 
 
 if __name__ == "__main__":
+    from record_files.record import Record
     from rocking.configuration import config
     from rocking.records import load
     from rocking.records.floors import chain_motions
@@ -152,8 +153,6 @@ if __name__ == "__main__":
     from studies.assess.family import Family
     from studies.assess.slv import Slv
     from yade_process import in_yade
-
-    from record_files.record import Record
 
     SMDOF = config.resolve({})["smdof"]
     SMDOF_DENSITY = config.resolve({})["facade"]["density_kg_m3"]

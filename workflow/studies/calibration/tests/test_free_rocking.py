@@ -6,12 +6,11 @@ import warnings
 
 import numpy as np
 import pytest
+from reference_solver import Wall, simulate
 from rocking.mechanics import beta, closed_forms
 from studies.calibration import free_rocking as study
 from studies.shared.restitution import e_exp, read_archive, rebounds
 from yade_process import in_yade, resolved, run_study
-
-from reference_solver import Wall, simulate
 
 pytestmark = pytest.mark.yade
 
