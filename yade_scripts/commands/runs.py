@@ -29,6 +29,7 @@ from yade_scripts.commands.runner import Runner
 from yade_scripts.commands.tables import KEY, REALISATION, RUN_COLUMNS, TWO_COMPONENTS, to_csv
 from yade_scripts.engine import adapter
 from yade_scripts.files import read_case, read_json, write_atomic
+from yade_scripts.lists import listed
 from yade_scripts.model import floor_motions, yielding
 from yade_scripts.model.motion import SIGNS, amplitude
 
@@ -79,9 +80,9 @@ def run_case(case, journal, say):
     return rows
 
 
-def chosen(listed, name, path):
+def chosen(asked, name, path):
     """Cases of a list; one of them, if it is named."""
-    cases = listed["cases"]
+    cases = asked["cases"]
     if name is None:
         return list(cases.values()) if isinstance(cases, dict) else cases
     if name not in cases:
@@ -97,9 +98,9 @@ def main(arguments=None):
         parser.add_argument(f"--{word}", choices=choices, help="of all cases that state none")
     parser.add_argument("--case", help="name of the one case to run")
     args = parser.parse_args(arguments)
-    listed = read_json(args.list, "cases")
+    asked = read_json(args.list, "cases")
     given = {word: value for word in GIVEN if (value := getattr(args, word))}
-    cases = [given | case for case in chosen(listed, args.case, args.list)]
+    cases = [given | case for case in chosen(asked, args.case, args.list)]
     for case in cases:
         if missing := [word for word in (*GIVEN, "pga_g") if word not in (*case, "second")]:
             raise ValueError(f"{args.list}: a case has no {listed(missing)}")
@@ -109,8 +110,8 @@ def main(arguments=None):
         rows += run_case(case, journal, command.progress(f"{case['record']} {case['direction']}"))
     realisations = REALISATION if any(case.get("realisations") for case in cases) else {}
     both = TWO_COMPONENTS if all(case.get("second") for case in cases) else {}
-    own = listed.get("ahead", {})
-    columns = {**own, **KEY, **own, **listed.get("beside", {}), **realisations, **RUN_COLUMNS}
+    own = asked.get("ahead", {})
+    columns = {**own, **KEY, **own, **asked.get("beside", {}), **realisations, **RUN_COLUMNS}
     columns |= both
     write_atomic(args.output, to_csv(rows, columns))
     return 0
