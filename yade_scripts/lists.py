@@ -15,7 +15,7 @@ def listed(names, most=MOST):
 
 
 def one_of(names, name=None, most=MOST):
-    """What to write instead of a name that is not among those there.
+    """Names that are known, for the message on one that is not.
 
     Of few names all, "expected one of a, b"; of many the nearest, "did you mean 'a'?".
     """

@@ -1,4 +1,4 @@
-"""A schema that is none ends in one line that names its file and key."""
+"""A faulty schema ends in one line that names its file and key."""
 
 import pytest
 from rocking.configuration import schema

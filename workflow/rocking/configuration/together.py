@@ -67,7 +67,7 @@ def _conditional() -> list[tuple[str, dict, list]]:
 
 
 def needs(schema: Mapping) -> list[Needs]:
-    """Return the sets of conditions of a key's schema, of which one must hold."""
+    """Return the sets of conditions under which a key acts; any one set is enough."""
     given = schema.get("acts_with", [])
     return given if isinstance(given, list) else [given]
 
