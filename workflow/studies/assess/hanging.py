@@ -105,7 +105,12 @@ def hanging(name, wedge, masses, loads=(), pulls=(), thrust_n=0.0, thrust_m=None
     Masses and loads are (weight_n, x_m, y_m, z_m), pulls (force_n, x_m, z_m, slack_m, reach_m) on
     its outer face. The thrust acts at a height, by default at the top of the cracks.
     """
-    weights = tuple(Weight(w, wedge.move(x, y, z)) for w, x, y, z in (*masses, *loads) if w > 0.0)
+    carried = [row for row in (*masses, *loads) if row[0] > 0.0]
+    weights = tuple(Weight(w, wedge.move(x, y, z)) for w, x, y, z in carried)
+    bodies = (
+        [row for row in carried if (row[1] < wedge.middle_m) is left] for left in (True, False)
+    )
+    lumped = tuple(_lump(wedge, own) for own in bodies if own)
     held = [
         Pull(force, wedge.move(x, wedge.outer_m, z), reach, False, slack)
         for force, x, z, slack, reach in pulls
@@ -116,4 +121,11 @@ def hanging(name, wedge, masses, loads=(), pulls=(), thrust_n=0.0, thrust_m=None
     control = wedge.move(wedge.middle_m, wedge.outer_m, wedge.top_m)
     shorter = min(wedge.middle_m - wedge.left_m, wedge.right_m - wedge.middle_m)
     largest = 0.99 * math.asin(shorter / math.hypot(shorter, wedge.depth_m))
-    return Mechanism(name, weights, control, tuple(held), largest)
+    return Mechanism(name, weights, control, tuple(held), largest, lumped=lumped)
+
+
+def _lump(wedge, rows):
+    """What one body carries as one `Weight` at its centroid: paths are linear in their points."""
+    rows = np.array(rows)
+    total = rows[:, 0].sum()
+    return Weight(float(total), wedge.move(*(rows[:, 0] @ rows[:, 1:] / total).tolist()))

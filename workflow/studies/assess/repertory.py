@@ -35,10 +35,12 @@ from yade_scripts.model.return_walls import wall_strips
 from yade_scripts.model.ties import rods_at
 
 NEAR_M = 1e-6
-NEAR_M_FOOT = 0.05  # to which a foot is found
+NEAR_M_FOOT = 0.02  # to which a foot is found
 ANGLES = 7  # samples of a crack's angle
 FEET = 8  # samples of a foot, beside the heights at which the façade changes
-MIDDLES = (0.1, 0.5, 0.9)  # of a span: where it opens
+APART_M = 0.5  # samples of the foot of horizontal bending at most
+MIDDLES = 5  # places of a span where it may open
+VALLEYS = 4  # of these followed
 STRIPS = 16  # of a wedge, whose cracks cross openings anywhere
 STEEPEST_DEG = 60.0
 VERTICAL_DEG = 0.05  # what is no slanting crack
@@ -158,22 +160,41 @@ def _remembered(family, site):
     return measure
 
 
+def _apart(heights, last):
+    """Heights and those between them, at most `APART_M` apart."""
+    found = {last}
+    for a, b in itertools.pairwise(sorted({*heights, last})):
+        found |= set(np.linspace(a, b, math.ceil((b - a) / APART_M - NEAR_M) + 1)[:-1].tolist())
+    return sorted(found)
+
+
+def _valleys(values):
+    """Places (i, j) of a grid whose neighbours are none of them lower, the lowest first.
+
+    Cracks pass openings, rods and floors: what holds and what drives then changes by leaps, and a
+    grid has several.
+    """
+    wide = np.pad(values, 1, constant_values=math.inf)
+    about = np.lib.stride_tricks.sliding_window_view(wide, (3, 3)).min(axis=(2, 3))
+    found = np.argwhere((values <= about) & np.isfinite(values))
+    return sorted(map(tuple, found.tolist()), key=lambda place: values[place])
+
+
 def _follow(measure, best, firsts, seconds, last):
     """The least (measure, first, second) about the best of a grid, each halved in turn."""
     gaps = [
         max((b - a for a, b in itertools.pairwise(own)), default=0.0) for own in (firsts, seconds)
     ]
     ends = (0.0, last), (min(seconds), max(seconds))
-    fine = NEAR_M_FOOT, 0.02 * (ends[1][1] - ends[1][0])
+    fine = NEAR_M_FOOT, 0.01 * (ends[1][1] - ends[1][0])
     while any(gap > max(near, NEAR_M) for gap, near in zip(gaps, fine, strict=True)):
         gaps = [0.5 * gap for gap in gaps]
-        for which in (0, 1):
-            for way in (-1.0, 1.0):
-                place = [best[1], best[2]]
-                place[which] = min(
-                    max(place[which] + way * gaps[which], ends[which][0]), ends[which][1]
-                )
-                best = min(best, (measure(*place), *place))
+        for ways in itertools.product((-1.0, 0.0, 1.0), repeat=2):  # what is weakest may lie on an
+            place = [  # edge, askew to both, beyond which nothing falls
+                min(max(at + way * gap, low), high)
+                for at, way, gap, (low, high) in zip(best[1:], ways, gaps, ends, strict=True)
+            ]
+            best = min(best, (measure(*place), *place))
     return best
 
 
@@ -257,22 +278,32 @@ def _passed(family, wedge):
 
 
 def horizontals(family):
-    """Horizontal bending of every span between neighbouring lines that hold, the weakest of all."""
-    found = []
+    """Horizontal bending of every span between neighbouring lines that hold, the weakest of all.
+
+    It opens no nearer to a line than the wall is thick, as no part of the width is narrower.
+    """
+    starts = []
     for left, right, top in supports(family):
         last = top - LEAST_PART_M
-        feet = {*np.linspace(0.0, last, FEET).tolist(), *(z for z in family.feet() if z < last)}
+        if last <= 0.0:
+            continue
 
-        def site(foot, share, left=left, right=right, top=top):
-            middle = left + share * (right - left)
+        def site(foot, middle, left=left, right=right, top=top):
             ends = {"left_m": left, "right_m": right, "middle_m": middle, "top_m": top}
             return Site(HORIZONTAL, foot, **ends)
 
-        if last <= 0.0:
-            continue
+        near = min(family.facade.thickness_m, 0.5 * (right - left))
+        middles = np.unique(np.linspace(left + near, right - near, MIDDLES)).tolist()
+        feet = _apart((z for z in family.feet() if z < last), last)
         measure = _remembered(family, site)
-        rows = [(measure(z, share), z, share) for z in feet for share in MIDDLES]
-        best = _follow(measure, min(rows), sorted(feet), sorted(MIDDLES), last)
-        found.append((best[0], site(best[1], best[2])))
-    finite = [row for row in found if math.isfinite(row[0])]
-    return [min(finite, key=lambda row: row[0])[1]] if finite else []
+        values = np.array([[measure(z, x) for x in middles] for z in feet])
+        for i, j in _valleys(values):
+            start = float(values[i, j]), feet[i], middles[j]
+            starts.append((start, (measure, feet, middles, last, site)))
+    found = []
+    for start, (measure, feet, middles, last, site) in sorted(starts, key=lambda row: row[0])[
+        :VALLEYS
+    ]:
+        pga_g, foot, middle = _follow(measure, start, feet, middles, last)
+        found.append((pga_g, site(foot, middle)))
+    return [min(found, key=lambda row: row[0])[1]] if found else []

@@ -9,11 +9,13 @@ from studies.assess import byhand, region, shaken
 from studies.assess.code_checks import code_checks, family_of, governing, least
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.family import Family
-from studies.assess.hanging import Wedge
 from studies.assess.masonry import Masonry
 from studies.assess.names import BEYOND, kind_of, not_asked
 from studies.assess.partial_width import _screened, lines, part_width
-from studies.assess.repertory import compound, horizontal, supports, wedge_masses
+from studies.assess.repertory import (
+    compound,
+    wedge_masses,
+)
 from studies.assess.sites import site_of
 from study_cases import study_case, study_settings
 
@@ -152,79 +154,6 @@ def test_a_wedge_s_printed_parts_give_its_printed_results():
     assert rows[-2].key == "wedges"  # before the floor's load
     assert found["α0"] == pytest.approx(one.mechanism.multiplier(), rel=1e-12)
     assert found["M*"] == pytest.approx(one.mechanism.participation()[0], rel=1e-12)
-
-
-def test_horizontal_bending_by_hand():
-    """Rods 4 m apart at 6 m, foot 1 m: α0 = 3 b/(2 D) + 3 H b(1/L1 + 1/L2)/W, see `hanging`.
-
-    W = γ b 4·5/2 = 88.29 kN; 0.15 without thrust; 20 kN adds 3·20·0.5·(1/2 + 1/2)/88.29 = 0.3398.
-    """
-    for thrust, alpha in ((None, 0.15), (20.0, 0.15 + 30.0 / (GAMMA * 5e-3))):
-        known = family(arch_thrust_kn=thrust)
-        one = horizontal(known, 1.0, 6.0, (-2.0, 0.0, 2.0))
-        assert one.mechanism.multiplier() == pytest.approx(alpha, rel=1e-9)
-        weight = sum(p for p, _ in one.mechanism.weights)
-        assert weight == pytest.approx(GAMMA * 5.0, rel=1e-9)
-        assert one.mechanism.falls()
-    uneven = horizontal(family(arch_thrust_kn=20.0), 1.0, 6.0, (-2.0, -1.0, 2.0)).mechanism
-    assert uneven.multiplier() == pytest.approx(
-        0.15 + 3 * 20e3 * 0.5 * (1.0 + 1.0 / 3.0) / (GAMMA * 5.0), rel=1e-9
-    )
-
-
-def test_the_bodies_of_horizontal_bending_are_rigid():
-    """Distances between points of one body stay, and a point on its crack at the face too."""
-    own = Wedge(-2.0, 0.5, 2.0, 1.0, 6.0, 0.5, 0.0)
-    theta, long, deep = 0.08, 2.5, 5.0
-    normal = np.array([deep, long]) / math.hypot(long, deep)
-
-    def at(x, y, z):
-        out, up = (v.real for v in own.move(x, y, z)(theta + 0j))
-        away = (up - z) / normal[1]
-        return np.array([x + away * normal[0], out, z + away * normal[1]])
-
-    points = [(-1.0, 0.1, 5.0), (0.2, 0.4, 2.0), (0.0, 0.0, 5.5), (-1.5, 0.5, 5.9)]
-    for a in points:
-        for b in points:
-            apart = math.dist(a, b)
-            assert np.linalg.norm(at(*a) - at(*b)) == pytest.approx(apart, abs=1e-12)
-    assert at(-2.0, 0.5, 6.0) == pytest.approx((-2.0, 0.5, 6.0), abs=1e-12)
-    meet = own.move(0.5 - 1e-9, 0.5, 6.0)(theta)[0], own.move(0.5, 0.5, 6.0)(theta)[0]
-    assert meet[0].real == pytest.approx(meet[1].real, abs=1e-6)
-
-
-@pytest.mark.parametrize("theta", [0.02, 0.08, 0.15])
-def test_bodies_press_each_other_apart_as_far_as_they_overlap(theta):
-    """Points of both on the inner face where they meet: what the one is past the other in x.
-
-    A body moves along the normal of its crack: its way up tells its way along the wall.
-    """
-    own, height = Wedge(-2.0, 0.5, 2.0, 1.0, 6.0, 0.5, 0.0), 5.0
-    past = 0.0
-    for x, long in ((0.5 - 1e-12, 2.5), (0.5, 1.5)):
-        up = own.move(x, 0.0, height)(theta)[1].real - height
-        past += up * own.depth_m / long
-    assert own.apart(height)(theta)[0].real == pytest.approx(past, rel=1e-9)
-    late = [own.apart(6.0)(t)[0].real for t in (0.0, 0.01, 0.1, 0.19)]
-    assert late[1] > late[0] == 0.0
-    assert late[3] < late[2]  # beyond the arch's rise the thrust pushes outward
-
-
-def test_horizontal_bending_is_between_neighbouring_rods_and_is_listed_with_ties():
-    row = {"height_m": 6.0, "count": 3, "diameter_mm": 16.0, "length_m": 5.0}
-    asked = {"mechanisms": ["horizontal"]}
-    known = family({**PLAIN, "ties": [row]}, **asked)
-    assert supports(known) == [(-2.0, 0.0, 6.0), (0.0, 2.0, 6.0)]
-    stated = family({**PLAIN, "ties": [{**row, "x_m": [-1.5, 0.5, 1.0]}]}, **asked)
-    assert supports(stated)[0] == (-1.5, 0.5, 6.0)
-    (one,) = [one for one in known.all() if one.middle_m is not None]
-    assert kind_of(one) == "horizontal"
-    assert not one.plane
-    assert not one.mechanism.pulls  # its own rods hold it, and are not passed
-    assert known.at(site_of(one)).mechanism.multiplier() == one.mechanism.multiplier()
-    assert supports(family(**asked)) == []
-    (bonded,) = supports(family(**asked, **BRICKS))
-    assert bonded == pytest.approx((-2.1, 2.1, 6.0))
 
 
 def test_a_part_of_the_width_by_hand():

@@ -1,8 +1,8 @@
 """Dense searches for weaker wedges, horizontal bending and part widths than a report lists.
 
 Of façades drawn at random (`drawn_facades`), with interlocked courses in every second one: crack
-angles every 2.5° and feet every 25 cm; where a span opens, every fifth of it from a tenth on; every
-pair of lines.
+angles every 2.5° and feet every 25 cm; of horizontal bending feet every 10 cm, open every tenth of
+the span, no nearer to a line than the wall is thick; every pair of lines.
 
     .venv/bin/python workflow/studies/assess/trials/repertory.py --first 0 --count 50 --seed 71
 
@@ -21,12 +21,13 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[4]
 sys.path[:0] = [str(ROOT), str(ROOT / "workflow"), str(ROOT / "tests" / "cases")]
-FOOT_M, CRACK_DEG, SHARE, WEAKER = 0.25, 2.5, 0.2, 0.98
+FOOT_M, CRACK_DEG, WEAKER = 0.25, 2.5, 0.98
+BENDING_M, SHARE = 0.1, 0.1  # of horizontal bending: feet, and of a span
 
 
-def feet(last_m):
+def feet(last_m, step_m=FOOT_M):
     """Feet of a dense search."""
-    return np.arange(0.0, last_m, FOOT_M).tolist()
+    return np.arange(0.0, last_m, step_m).tolist()
 
 
 def whole(family, foot_m, ends):
@@ -47,13 +48,12 @@ def dense(family):
             for deg in np.arange(0.0, steps, CRACK_DEG)
         )
     for left, right, top in repertory.supports(family):
-        shares = np.arange(0.5 * SHARE, 1.0, SHARE)
+        near = min(family.facade.thickness_m, 0.5 * (right - left))
+        middles = np.arange(left + near, right - near + 1e-9, SHARE * (right - left)).tolist()
         own = [
-            family.slv(
-                repertory.horizontal(family, z, top, (left, left + s * (right - left), right))
-            )
-            for z in feet(top - LEAST_PART_M)
-            for s in shares
+            family.slv(repertory.horizontal(family, z, top, (left, x, right)))
+            for z in feet(top - LEAST_PART_M, BENDING_M)
+            for x in middles
         ]
         found[HORIZONTAL] = min([found.get(HORIZONTAL, math.inf), *own])
     places, half = partial_width.lines(family), round(0.5 * family.masonry.width_m, 6)
