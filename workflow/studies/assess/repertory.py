@@ -301,9 +301,8 @@ def horizontals(family):
             start = float(values[i, j]), feet[i], middles[j]
             starts.append((start, (measure, feet, middles, last, site)))
     found = []
-    for start, (measure, feet, middles, last, site) in sorted(starts, key=lambda row: row[0])[
-        :VALLEYS
-    ]:
+    for start, about in sorted(starts, key=lambda row: row[0])[:VALLEYS]:
+        measure, feet, middles, last, site = about
         pga_g, foot, middle = _follow(measure, start, feet, middles, last)
         found.append((pga_g, site(foot, middle)))
     return [min(found, key=lambda row: row[0])[1]] if found else []
