@@ -126,7 +126,7 @@ def walls_of(rule_name, cases, path, **needed):
         input:
             **needed,
             cases=cases,
-            yade=ancient(rules.yade_check.output[0]),
+            yade=rules.yade_check.output[0],
             modules=command_code("walls"),
         output:
             path,

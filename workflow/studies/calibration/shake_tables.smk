@@ -120,7 +120,7 @@ use rule ida as damping_choice_ida with:
         case=rules.damping_choice_case.output[0],
         motion=of_run(rules.floor_motions.output[0], record=CHOICE_RECORD),
         plan=rules.damping_choice_planar.output.plan,
-        yade=ancient(rules.yade_check.output[0]),
+        yade=rules.yade_check.output[0],
         modules=command_code("ida"),
     output:
         curve=results("calibration/choice/{model}_{direction}_{law}.csv"),
