@@ -83,6 +83,18 @@ def test_one_block_shaken_is_that_of_the_adaptive_solver(model, friction):
     assert found.d_over_b[0] == pytest.approx(np.abs(other.d_over_b).max(), rel=1e-3)
 
 
+def test_slips_that_are_kept_while_open_tell_where_something_opens():
+    """On its base alone a façade that does not rock is the same; one that does is not."""
+    scene, _ = scene_of("free")
+    peaks = [
+        [StackSolver(scene, *moved(a), keeps=keeps).peaks([1.0]).d_over_b[0] for a in (0.05, 0.8)]
+        for keeps in (False, True)
+    ]
+    (still, rocks), (still_kept, rocks_kept) = peaks
+    assert still_kept == still > 0.0
+    assert abs(rocks_kept - rocks) > 1e-6 * rocks > 1e-8
+
+
 @pytest.mark.slow
 def test_a_building_too_heavy_to_be_pushed_is_one_that_is_driven():
     """W2m with 1e9 kg and W2 under the floor motions of the same chain."""

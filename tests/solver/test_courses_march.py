@@ -49,11 +49,14 @@ def test_energy_closes(model, record, pga_g):
 
 @pytest.mark.parametrize("model", ["W1", "W2", "W2m"])
 def test_the_error_falls_with_the_square_of_the_step(model):
-    """In the median of twelve amplitudes at least sixfold by two halvings; of first order 4.4."""
+    """In the median of 48 amplitudes at least sixfold by two halvings; of first order 4.4.
+
+    W1 comes to 8.8, and to 5.4 where what closes slips for the whole step.
+    """
     t, ground = pulses(1.2)
     motion = Motion.sampled(ground, float(t[1]), name="pulses")
     screen = run_by("planar", courses(model), motion, "pos")
-    motions, factors = screen.shaking(np.linspace(0.06, 0.12, 12))
+    motions, factors = screen.shaking(np.linspace(0.06, 0.12, 48))
     found = []
     for share in (1.0, 0.25, 1.0 / 32.0):
         how = {"carried": screen.carried, "step_s": share * screen.steps_s[0]}
@@ -91,9 +94,8 @@ def test_parts_of_a_line_go_together_while_none_slides():
         step = 4e-5 * draw.normal() if k % 40 < 10 else 1e-7 * draw.normal()
         expected, slip = springs(slip, shares, friction * (h0 + h1 * middle), ratio, step)
         law, reach = (ratio, friction, True), (-half, half, -half, half)
-        shear, _, stuck, _, _ = rubbing.rubbed(
-            lines, 0, rows, 0, reach, (h0, h1, step, 0.0), law, True, False
-        )
+        moves = (h0, h1), (step, 0.0), (h0, h1), (h0, h1)
+        shear, _, stuck, _, _ = rubbing.rubbed(lines, 0, rows, 0, reach, moves, law, True, False)
         together += rows[rubbing.WHOLE] > 0.0
         slid += stuck < 1.9 * half
         assert shear == pytest.approx(expected, rel=1e-9, abs=1e-15)
@@ -112,18 +114,34 @@ def test_friction_at_an_edge_turns_the_block_and_what_turns_slips():
         force = 0.5 * friction * h1 * length**2
         for way in (1.0, -1.0):
             rows = np.zeros(rubbing.MEMORY)
-            moves, reach = (h0, h1, way, 0.0), (low, half, low, half)
+            depth, reach = (h0, h1), (low, half, low, half)
+            moves = depth, (way, 0.0), depth, depth
             slides = rubbing.rubbed(lines, 0, rows, 0, reach, moves, law, True, False)
             assert slides[0] == pytest.approx(way * force, rel=1e-6)
             assert slides[1] == pytest.approx(way * force * (low + 2.0 / 3.0 * length), rel=5e-3)
         rows, turn = np.zeros(rubbing.MEMORY), 1e-9
-        moves = 1.0, 0.0, 0.0, turn  # pressed hard: nothing slides
+        hard = 1.0, 0.0  # nothing slides
+        moves = hard, (0.0, turn), hard, hard
         sticks = rubbing.rubbed(lines, 0, rows, 0, reach, moves, law, True, False)
         assert sticks[0] == pytest.approx(ratio * turn * length * middle, rel=1e-9)
         assert sticks[1] == pytest.approx(
             sticks[0] * (middle + length**2 / 12.0 / middle), rel=5e-3
         )
         assert sticks[2] == pytest.approx(length)
+
+
+def test_what_closed_within_a_step_slips_for_the_share_of_it_since_then():
+    """All of a line, a third of the step ago; what rolls shut, half of it in the mean."""
+    planes = run_by("planar", courses("W1"), Motion.named("GMN_NS", SUITE), "pos").planes
+    lines, (ratio, step) = planes[0].lines, (0.33, 1e-7)
+    half, then, now = lines.half_m[0], lines.edge_m[0, 12], lines.edge_m[0, 20]
+    shuts = (-half, half, 1.0, -1.0), (2e-6, 0.0), (-4e-6, 0.0), 2.0 * half / 3.0
+    rolls = (-half, now, -half, then), (now, -1.0), (then, -1.0), half + 0.5 * (then + now)
+    for reach, deep, before, counts in (shuts, rolls):
+        rows, moves = np.zeros(rubbing.MEMORY), ((1.0, 0.0), (step, 0.0), deep, before)
+        law = ratio, 0.5, True
+        shear, *_ = rubbing.rubbed(lines, 0, rows, 0, reach, moves, law, True, False)
+        assert shear == pytest.approx(ratio * step * counts)
 
 
 def test_two_blocks_rock_and_slide_as_those_of_the_other_solver():

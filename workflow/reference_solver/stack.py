@@ -77,6 +77,8 @@ class StackSolver:
     bounded : bool
         Spring and dashpot along a joint keep |T| ≤ μN together; False: the spring alone, as in
         YADE's own law.
+    keeps : bool
+        A node keeps its slip while it is open, as in OpenSees' sliders; False: it closes without.
     after_s : float
         Simulated beyond the motion.
 
@@ -87,11 +89,11 @@ class StackSolver:
         damped by itself, blocks that are driven along z, or a motion without a column.
     """
 
-    def __init__(self, scene, time_s, columns, *, bounded=True, after_s=AFTER_S):
+    def __init__(self, scene, time_s, columns, *, bounded=True, keeps=False, after_s=AFTER_S):
         """Reduce the scene, and integrate its motions."""
         self.scene, given = floor_motions.shaken(scene, columns)
         names = [name for name in self.scene.motions if name in {b.motion for b in scene.blocks}]
-        self.assembly = assembly_of(self.scene, names, bounded)
+        self.assembly = assembly_of(self.scene, names, bounded, keeps)
         self.driving = driving_of(time_s, given, names, self.scene.vertical, after_s)
         self.start = start_of(self.scene, self.assembly)
         self.thickness_m = float(scene.thickness_m)
@@ -172,7 +174,7 @@ def _check(scene):
         raise ValueError("stack solver: expected planes without rims")
 
 
-def assembly_of(scene, names, bounded):
+def assembly_of(scene, names, bounded, keeps):
     """`stack_law.Assembly` of a scene; `names` are those of its motions, a column each."""
     _check(scene)
     blocks, ground = scene.blocks, scene.shaking or scene.blocks[0].motion
@@ -214,6 +216,7 @@ def assembly_of(scene, names, bounded):
         foot=scene.index(scene.reference),
         gravity_m_s2=float(scene.gravity_m_s2),
         bounded=bool(bounded),
+        keeps=bool(keeps),
     )
 
 

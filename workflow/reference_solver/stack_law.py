@@ -52,6 +52,7 @@ class Assembly(NamedTuple):
     foot: int  # block from which d is measured
     gravity_m_s2: float
     bounded: bool
+    keeps: bool  # a node keeps its slip while it is open, and does not close without any
 
 
 @inlined
@@ -92,8 +93,8 @@ def _nodes(p, g, shift, depth, rate, slide, arrays):
         shear = min(max(spring, -most), most)
         both = shear + (viscous * ks * v if abs(spring) < most else 0.0)
         shear = min(max(both, -most), most) if p.bounded else both
-        rates[shift + i] = v if closed else 0.0
-        limit[i] = most / ks
+        rates[shift + i] = v if closed or p.keeps else 0.0
+        limit[i] = most / ks if closed or not p.keeps else math.inf
         n += normal
         ns += s * normal
         t += shear
@@ -115,7 +116,8 @@ def _line(p, g, state, turn, rates, force, limit):
     qz = z - p.centre_m[b, 1] - state[3 * b + 1]
     d0, d1 = p.level_m[g] - ny * qy - nz * qz, -(ny * ey + nz * ez)
     low, high, shift = p.first[g], p.first[g + 1], 2 * v + WORKS
-    if max(d0 + d1 * p.place_m[low], d0 + d1 * p.place_m[high - 1]) <= 0.0:
+    deepest = max(d0 + d1 * p.place_m[low], d0 + d1 * p.place_m[high - 1])
+    if deepest <= 0.0 and not p.keeps:
         for i in range(low, high):
             rates[shift + i] = limit[i] = 0.0
         return

@@ -4,9 +4,10 @@
 
 Rigid blocks are spiders of stiff elastic beams with corotational geometry, their mass at the
 centroid. A contact node is a flat slider. Across it is a ViscoelasticGap, whose tension the slider
-drops, N = max(0, kn (δ + β δ̇)); along it a spring ks slides at μN, without a dashpot. It does not
-turn with the block below it. The frame is the ground's: masses feel −m a_g, driven walls have their
-motion relative to it, and the chain of W2m is masses on springs and dashpots. TRBDF2 damps what
+drops, N = max(0, kn (δ + β δ̇)); along it a spring ks slides at μN, without a dashpot. What slips
+while it is open it keeps. The frame is the ground's: masses feel −m a_g, driven walls have their
+motion relative to it at every node, and the chain of W2m is masses on springs and dashpots. A node
+tied by equalDOF to one whose motion is imposed is a step ahead of it, so none is. TRBDF2 damps what
 impacts leave in the stiff beams, where Newmark's constant average acceleration errs by several per
 cent at the same step. ViscoelasticGap keeps its dashpot out of the tangent, with which Newton's own
 iteration does not converge on light courses; accelerated in a Krylov subspace of twelve it takes
@@ -57,7 +58,7 @@ class Model:
         add_blocks(self.blocks)
         ops.geomTransf("Corotational", 1)
         ops.uniaxialMaterial("Elastic", 1, TINY)
-        self.points = {}
+        self.points, self.driven = {}, {}
         nodes = scene["nodes"]
         for k in range(len(nodes["a"])):
             self.contact({name: column[k] for name, column in nodes.items()})
@@ -79,9 +80,12 @@ class Model:
                 long = max(math.dist(place, centre), TINY)
                 area, inertia = STIFF_N_M * long, STIFF_N_M * long**3 / 12.0
                 ops.element("elasticBeamColumn", self.new(), block + 1, node, area, 1.0, inertia, 1)
-            else:
+            elif own["free"]:
                 ops.fix(node, 0, 1, 1)
                 ops.equalDOF(block + 1, node, 1)
+            else:
+                ops.fix(node, 1, 1, 1)
+                self.driven.setdefault(block + 1, [block + 1]).append(node)
         return self.points[key]
 
     def contact(self, node):
@@ -162,8 +166,9 @@ def shake(model, asked):
         ops.groundMotion(
             series, "Plain", "-disp", series, "-vel", series + 1, "-accel", series + 2
         )  # fmt: skip
-        ops.remove("sp", i, 1)
-        ops.imposedMotion(i, 1, series)
+        for node in model.driven.get(i, [i]):
+            ops.remove("sp", node, 1)
+            ops.imposedMotion(node, 1, series)
         series += 10
 
 

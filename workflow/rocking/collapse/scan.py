@@ -35,8 +35,8 @@ BRICKS_STEP = 0.4  # of W3's stable step, which its bricks decide: 0.20 ms
 COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}  # beds need none
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
 COURSES_STEP = 0.072  # of the stable step of the same façade in one block
-# Before walls that shake it and do not give way, whose impacts add up (docs/record.md#accuracy)
-SHAKEN_STEP, GIVES_WAY = 0.06, 20.0  # what carries walls that do: so many times its mass at most
+# Before walls that do not give way, whose impacts add up (docs/record.md#accuracy)
+FIRM_STEP, GIVES_WAY = 0.06, 20.0  # what carries walls that do: so many times its mass at most
 # The light one of pieces makes their stable step short: of it they take so many times the share
 # of one block, up to the second (docs/record.md#accuracy has the errors)
 PIECES_STEPS, PIECES_MOST = 4.0 / 3.0, 0.4
@@ -236,8 +236,7 @@ def _layouts_of(text, fraction, brief=False):
     steps_s = [share * stable_step(plane) for plane in planes]
     carried = carried_masses(case, scene) if kind.two_way and not bricks else None
     if courses:
-        shaken = moving_supports(scene, GROUND if kind.two_way else None)
-        usual = SHAKEN_STEP if shaken and _stands_firm(carried, planes[0]) else COURSES_STEP
+        usual = FIRM_STEP if _stands_firm(carried, planes[0]) else COURSES_STEP
         share = min(share, usual) * (LATE_STEP if planes[0].late > 1.0 else 1.0)
         share *= COURSES_LONG if brief and fraction else 1.0
         steps_s = [share * one_block_step(case)] * len(planes)
@@ -253,7 +252,7 @@ def _layouts_of(text, fraction, brief=False):
 
 
 def _stands_firm(carried, plane):
-    """Whether walls do not give way to a façade: they are driven, or what carries them is heavy."""
+    """Whether walls do not give way to a façade: no mass carries them, or a heavy one."""
     if carried is None:
         return True
     return carried.mass_kg.sum() > GIVES_WAY * np.sum(plane.mass_kg)

@@ -218,14 +218,15 @@ def press(p, parts, rows, back, time, alive, counts):
         normal = length * mean
         moment = length * (mean * middle + h1 * second)
         law, reach = (ratio, friction, p.lead > 0.0), (low, high, was[0], was[1])
+        moves = (h0, h1), (g0, g1), (d0, d1), before
         shear, turned, stuck, grip, loss = rubbed(
-            lines, i, rows, first, reach, (h0, h1, g0, g1), law, acts, counts
+            lines, i, rows, first, reach, moves, law, acts, counts
         )
         more, more_moment = _closing((d0, d1), before, shut, (h0, h1), half)
         whole = normal + more
         counted = choose(normal > 0.0, whole / choose(normal > 0.0, normal, 1.0), 1.0)
-        force = k * whole, k * shear
-        couple = k * (turns[0] * (moment + more_moment) - turns[1] * turned)
+        force = k * whole, k * counted * shear
+        couple = k * (turns[0] * (moment + more_moment) - turns[1] * counted * turned)
         act(parts, ends, arms, direction, force, couple)
         dashpot = (p.late * beta + p.lead * dt) * k * counted * length
         sums = dashpot, dashpot * middle, dashpot * (middle * middle + second)

@@ -3,7 +3,8 @@
 Parts that are pressed all along, and of which none slides, go together until one of them may.
 Where a line meets its plane at an angle, its points slip differently as it turns, by what their
 place has along the plane; friction there turns the block too. Pressed all along, a line has next to
-no angle.
+no angle. What closed within a step slips for the share of the step since then, as a node in `law`;
+by all of it, every impact would have an error of first order.
 """
 
 from rocking.runtime.compiled import inlined
@@ -31,6 +32,15 @@ def _apart(rows, first, mask):
 
 
 @inlined
+def _closed(now, then, at, rolls):
+    """Share of a step for which what closed within it has pressed; where it rolls shut, ½."""
+    deep = now[0] + now[1] * at
+    gain = deep - (then[0] + then[1] * at)
+    some_way = (gain > 0.0) & ~rolls
+    return choose(some_way, max(min(deep / choose(some_way, gain, 1.0), 1.0), 0.0), 0.5)
+
+
+@inlined
 def rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
     """Friction along a line; forces and energies over k.
 
@@ -42,8 +52,9 @@ def rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
         The line, and its rows from that one on.
     reach : tuple of 4 numbers
         From where to where it is pressed, now and at the last step.
-    moves : tuple of 4 numbers
-        Normal force over k along the line, h0 + h1·s; slip of this step, g0 + g1·s.
+    moves : tuple of 4 tuples of 2 numbers
+        Along the line, as h0 + h1·s: normal force over k; slip of this step; penetration now and
+        at the last step.
     law : tuple of 3
         ks/kn, tan φ; whether the length that sticks is wanted.
     acts : mask
@@ -55,7 +66,7 @@ def rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
         Force, Σ s·force, length that sticks, Σ length·slip², and the energy that sliding took and
         opening parts lost; the last two of one history.
     """
-    (low, high, low_then, high_then), (h0, h1, step, _) = reach, moves
+    (low, high, low_then, high_then), ((h0, h1), (step, _), _, _) = reach, moves
     (ratio, friction, _), half = law, lines.half_m[i]
     throughout = (max(low, low_then) <= -half) & (min(high, high_then) >= half) & acts
     least = friction * max(min(h0 - h1 * half, h0 + h1 * half), 0.0)
@@ -88,7 +99,7 @@ def rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
 @inlined
 def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
     """As `rubbed`, part by part: where it is wanted, and where all of the line is pressed."""
-    (low, high, low_then, high_then), (h0, h1, step, more) = reach, moves
+    (low, high, low_then, high_then), ((h0, h1), (step, more), now, then) = reach, moves
     (ratio, friction, wanted), (each, throughout), half = law, acts, lines.half_m[i]
     shear = first_moment = stuck = grip = loss = stored = top = like(0.0, h0)
     glides = each & ~each
@@ -102,7 +113,7 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
             one, two = lines.edge_m[i, part], lines.edge_m[i, part + 1]
             if even:  # each part keeps its slip as it is
                 start, stop = like(one, h0), like(two, h0)
-                had = take(rows, at)
+                had, kept = take(rows, at), like(1.0, h0)
                 shut, share = each, choose(each, two - one, 0.0)
             else:
                 # what is not pressed keeps a slip that counts for nothing once it is again
@@ -114,12 +125,16 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
                 before = max(min(high_then, two) - max(low_then, one), 0.0)
                 if counts:
                     loss += 0.5 * ratio * before * had * had
-                had = had * (min(before, share) / choose(shut, share, 1.0))
+                kept = min(before, share) / choose(shut, share, 1.0)
+                had = had * kept
                 if counts:
                     loss -= 0.5 * ratio * share * had * had
             middle = choose(shut, 0.5 * (start + stop), 0.0)
             most = friction * max(h0 + h1 * middle, 0.0)
-            slip = had + (step + more * middle)
+            moved = step + more * middle
+            if not even:
+                moved = moved * (kept + (1.0 - kept) * _closed(now, then, middle, kept > 0.0))
+            slip = had + moved
             held = ratio * slip
             force = min(max(held, -most), most)
             sticks = abs(held) <= most
