@@ -108,6 +108,8 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
         low_edge, high_edge = lines.edge_m[i, begin], lines.edge_m[i, begin + SOME]
         if not (even or counts or some(each & (min(high, high_edge) > max(low, low_edge)))):
             continue
+        anew = (max(low, low_edge) < low_then) | (min(high, high_edge) > high_then)
+        closes = not even and some(each & anew)
         for part in range(begin, begin + SOME):
             at = first + SLIP + part
             one, two = lines.edge_m[i, part], lines.edge_m[i, part + 1]
@@ -132,7 +134,7 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
             middle = choose(shut, 0.5 * (start + stop), 0.0)
             most = friction * max(h0 + h1 * middle, 0.0)
             moved = step + more * middle
-            if not even:
+            if closes:
                 moved = moved * (kept + (1.0 - kept) * _closed(now, then, middle, kept > 0.0))
             slip = had + moved
             held = ratio * slip
