@@ -6,7 +6,8 @@
 
 Façades are those of the ranges of the atlas (`studies.atlas.study.design`), each before an elastic
 building and buildings of V/W 0.10, 0.18 and 0.32, under six recorded components that are drawn for
-it, in turns of direction, by short climbs. `--courses` takes the wall in four courses. The fit
+it, in turns of direction, by short climbs. `--courses` takes the wall in four courses, `--ratios`
+other V/W, `--records` the motions of a table, both ways, in place of those drawn. The fit
 (`rocking.formula.yielding`) is of the mean over the motions of the logarithm of yielding over
 elastic; s and a by model, and with `--suite` to the default façade under the whole suite too.
 Tables that follow the first check it; the standard error written to the file is the root of the
@@ -29,25 +30,34 @@ from scipy.optimize import least_squares
 from studies.atlas import study as atlas
 
 SUITE = "config/suites/recorded_suite.tsv"
-RATIOS, MODELS, MOTIONS, MOST_G = (None, 0.10, 0.18, 0.32), ("W2", "W2m"), 6, 4.0
+RATIOS, MODELS, MOTIONS, MOST_G = (0.10, 0.18, 0.32), ("W2", "W2m"), 6, 4.0
 OWN = {"damping.law": "value", "smdof.base_shear_ratio": None}
 FOUR = {"facade.courses": 4, "facade.courses_growth": 1.5}
-KEY = ["facade", "model", "record"]
+KEY = ["facade", "model", "record", "direction"]
 
 
-def facade_rows(model, design, number, seed, courses):
+def shaken(number, args):
+    """Records and directions of one façade: six of the suite, or all of a table both ways."""
+    if args.records:
+        return [(name, way) for name in read_table(args.records) for way in ("pos", "neg")]
+    drawn = np.random.default_rng([args.seed, number]).choice(
+        list(read_table(SUITE)), MOTIONS, False
+    )
+    return [(str(name), "pos" if (number + k) % 2 else "neg") for k, name in enumerate(drawn)]
+
+
+def facade_rows(model, design, number, args):
     """Half collapse of one façade by strength and motion."""
-    names = np.random.default_rng([seed, number]).choice(list(read_table(SUITE)), MOTIONS, False)
-    keys = FOUR if courses else {"facade.courses": 0}
+    keys = FOUR if args.courses else {"facade.courses": 0}
     own = Case.configured(model, {**keys, **OWN})
     case, rows = atlas.facade(own, design), []
-    for k, name in enumerate(map(str, names)):
-        motion, direction = Motion.named(name, SUITE), "pos" if (number + k) % 2 else "neg"
-        for ratio in RATIOS:
+    for name, direction in shaken(number, args):
+        motion = Motion.named(name, args.records or SUITE)
+        for ratio in (None, *args.ratios):
             one = case.varied({"smdof.base_shear_ratio": ratio})
             found = crossings(one, motion, direction, {"max_pga_g": MOST_G})
             about = {"facade": number, "model": model, "record": name, "direction": direction}
-            about |= {"ratio": ratio, "half_g": found["pga_median_g"]}
+            about |= {"courses": int(args.courses), "ratio": ratio, "half_g": found["pga_median_g"]}
             rows.append(about | {key: design[key] for key in atlas.DIMENSIONS})
     return rows
 
@@ -61,7 +71,7 @@ def draw(args):
     for number, design in enumerate(table.to_dict("records")):
         for model in MODELS:
             if (number, model) not in known:
-                rows += facade_rows(model, design, number, args.seed, args.courses)
+                rows += facade_rows(model, design, number, args)
                 write_table(rows, args.output, digits="%.8g")
 
 
@@ -75,7 +85,8 @@ def ratios(path):
     lost = {key: _lost(key[1], part.iloc[0]) for key, part in table.groupby(KEY[:2])}
     elastic = table[table["ratio"].isna()].set_index(KEY)["half_g"]
     for (number, model, ratio), own in table.dropna(subset="ratio").groupby(KEY[:2] + ["ratio"]):
-        first = elastic.loc[number, model].reindex(own["record"]).to_numpy()
+        first = elastic.loc[number, model].reindex(pd.MultiIndex.from_frame(own[KEY[2:]]))
+        first = first.to_numpy()
         both = np.isfinite(first) & np.isfinite(own["half_g"].to_numpy())
         first, second = np.log(first[both]), np.log(own["half_g"].to_numpy()[both])
         row = {"facade": number, "model": model, "ratio": ratio, "curves": int(both.sum())}
@@ -87,10 +98,12 @@ def ratios(path):
 
 def _lost(model, design):
     """ln of half collapse of W1 over that of a model, elastic, by the formula of a block on E/h."""
-    own = Case.configured(model, {"facade.courses": 0, **OWN})
+    wall = design.get("courses", 0)
+    own = Case.configured(model, {**(FOUR if wall else {"facade.courses": 0}), **OWN})
     row = groups.dimensions(atlas.facade(own, design[list(atlas.DIMENSIONS)].to_dict()))
+    base = "courses" if wall else "study"
     try:
-        ground, moved = (law.said(row, name, "pga_g", "study")[0] for name in ("W1", model))
+        ground, moved = (law.said(row, name, "pga_g", base)[0] for name in ("W1", model))
     except groups.OutsideError:
         return math.nan
     return math.log(ground / moved)
@@ -148,7 +161,7 @@ def fit(args):
         models[model]["error"] = round(errors[1] if others else errors[0], 4)
         print(model, models[model])
     made = {"facades": int(known["facade"].nunique()), "motions": MOTIONS, "loops": "bilinear"}
-    text = {"lowest": min(RATIOS[1:]), "made_of": made, "models": models}
+    text = {"lowest": min(RATIOS), "made_of": made, "models": models}
     if args.law:
         args.law.write_text(json.dumps(text, indent=1) + "\n", encoding="utf-8")
 
@@ -162,6 +175,8 @@ def main():
     one.add_argument("--seed", type=int, required=True)
     one.add_argument("--count", type=int, default=8)
     one.add_argument("--courses", action="store_true", help="the wall in four courses")
+    one.add_argument("--ratios", type=float, nargs="+", default=RATIOS, help="V/W")
+    one.add_argument("--records", help="table of motions in place of those drawn")
     one.set_defaults(does=draw)
     two = verbs.add_parser("fit")
     two.add_argument("tables", type=Path, nargs="+")
