@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from rocking import Motion, collapse_curve, history
+from rocking import Case, Motion, collapse_curve, history
 from rocking.collapse.curve import run_by
 from rocking.collapse.scan import carried_masses
 from rocking.solver import runs
@@ -182,3 +182,26 @@ def test_storeys_that_slide_are_the_springs_of_the_scene():
         assert whole == pytest.approx(storeys.k_n_m[k])
         slides = (1.0 - storeys.hardening) * storeys.k_n_m[k] * storeys.yield_m[k]
         assert floor.capacity_n == pytest.approx(slides)
+
+
+def test_a_squat_facade_that_pushes_its_building_gains_nothing_from_the_step():
+    """With springs as they are at 0.46 of the stable step states alternated, and it fell."""
+    about = {
+        "facade.height_m": 5.15,
+        "facade.thickness_m": 0.395,
+        "facade.width_m": 5.3,
+        "facade.courses": 4,
+        "facade.courses_growth": 1.5,
+        "return_wall.building_mass_kg": 42797.0,
+        "smdof.period_s": 0.198,
+        "smdof.base_shear_ratio": 0.282,
+        "smdof.loops": "origin_oriented",
+    }
+    case = Case.configured("W2m", about).calibrated()
+    peaks = []
+    for share in (1.0, 0.5):
+        screen = run_by("planar", case, Motion.named("AQV_NS"), "neg")
+        screen.steps_s = [share * step for step in screen.steps_s]
+        peaks.append(screen.run([0.5334], False)["d_over_b"].item())
+    assert peaks[0] == pytest.approx(peaks[1], rel=0.02)
+    assert max(peaks) < 1.0

@@ -34,7 +34,6 @@ LAYOUTS_SHORTER = tuple(1.0 - 0.03 * k for k in range(NODE_CHOICES))  # of long 
 BRICKS_STEP = 0.4  # of W3's stable step, which its bricks decide: 0.20 ms
 COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}  # beds need none
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
-LIGHT_COURSES = 0.4  # of it, of courses: at 0.46 states alternated from step to step for 60 ms
 COURSES_STEP = 0.072  # of the stable step of the same façade in one block
 # Before walls that do not give way, whose impacts add up (docs/record.md#accuracy)
 FIRM_STEP, GIVES_WAY = 0.06, 20.0  # what carries walls that do: so many times its mass at most
@@ -243,9 +242,8 @@ def _layouts_of(text, fraction, brief=False):
         steps_s = [share * one_block_step(case)] * len(planes)
     if carried is not None:  # light masses between stiff contacts want shorter ones
         ahead = [getattr(plane, "lead", 0.0) for plane in planes]
-        light = LIGHT_COURSES if courses else LIGHT_STEP
         most = [
-            light * stable_step(plane, carried, lead)
+            LIGHT_STEP * stable_step(plane, carried, lead)
             for plane, lead in zip(planes, ahead, strict=True)
         ]
         steps_s = list(map(min, steps_s, most))
