@@ -221,17 +221,22 @@ def content(columns, names):
     return b"".join(columns[name].tobytes() for name in names)
 
 
+def drives(case):
+    """Whether the walls of a case move as floors of a chain that yields, which nothing pushes."""
+    kind = MODELS.get(case["model"])  # a whole building has its own
+    one_way = kind is not None and kind.chain and not kind.two_way
+    return one_way and storeys.yields(case["smdof"])
+
+
 def of_case(case, time_s, columns, march=storeys.march):
     """Columns that shake a case: `YieldingFloors` where its chain yields and drives its walls.
 
     Where its walls carry the masses of the chain these yield in the scene. Of floors of another
     program walls that are no floors need the ground alone, at any amplitude.
     """
-    kind = MODELS.get(case["model"])  # a whole building has its own
+    kind = MODELS.get(case["model"])
     if isinstance(columns, TabulatedFloors) and kind is not None and not kind.chain:
         return {name: columns[name] for name in (GROUND, VERTICAL) if name in columns}
-    if kind is None or not kind.chain or kind.two_way or not storeys.yields(case["smdof"]):
-        return columns
-    if isinstance(columns, ByAmplitude):
+    if not drives(case) or isinstance(columns, ByAmplitude):
         return columns
     return YieldingFloors(time_s, columns, case, march)

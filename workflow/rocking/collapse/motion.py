@@ -358,8 +358,8 @@ class Motion:
             fit(self, case)
             time_s, columns = self.floors
             return time_s, yielding.of_case(case.sections, time_s, columns, march)
-        chain = case["smdof"]
-        key = json.dumps([chain, storey_height(case.sections), case.kind.two_way], sort_keys=True)
+        chain, height_m = case["smdof"], storey_height(case.sections)
+        key = json.dumps([chain, height_m, yielding.drives(case.sections)], sort_keys=True)
         if (found := self._kept.get(key)) is None:
             time_s, columns = floor_columns(self.record, chain)
             found = time_s, yielding.of_case(case.sections, time_s, columns, march)
