@@ -141,6 +141,21 @@ def solver():
     ops.system("UmfPack")
 
 
+def between(time_s, a, step_s):
+    """Displacement, velocity and acceleration at every step, a linear between its samples.
+
+    With displacements linear between samples of the record courses did not converge.
+    """
+    h, jerk = np.diff(time_s), np.diff(a) / np.diff(time_s)
+    v = np.concatenate(([0.0], np.cumsum(0.5 * h * (a[1:] + a[:-1]))))
+    u = np.concatenate(([0.0], np.cumsum(h * (v[:-1] + h * (2.0 * a[:-1] + a[1:]) / 6.0))))
+    at = step_s * np.arange(round((time_s[-1] - time_s[0]) / step_s) + 1)
+    k = np.minimum(np.searchsorted(time_s - time_s[0], at + 1e-9, "right") - 1, h.size - 1)
+    s = at - time_s[k] + time_s[0]
+    speed = v[k] + s * (a[k] + 0.5 * s * jerk[k])
+    return u[k] + s * (v[k] + s * (0.5 * a[k] + s * jerk[k] / 6.0)), speed, a[k] + s * jerk[k]
+
+
 def shake(model, asked):
     """Loads of the inertia forces, and motions of driven walls relative to the ground."""
     time_s = SETTLE_S + np.array(asked["time_s"])
@@ -156,12 +171,11 @@ def shake(model, asked):
         if name in (None, "ground"):
             continue
         a = asked["factor"] * np.array(asked["columns"][name]) - ground
-        h = np.diff(time_s)
-        v = np.concatenate(([0.0], np.cumsum(0.5 * h * (a[1:] + a[:-1]))))
-        u = v[:-1] * h + h**2 * (2.0 * a[:-1] + a[1:]) / 6.0
-        u = np.concatenate(([0.0], np.cumsum(u)))
-        for k, values in enumerate((u, v, a)):
-            ops.timeSeries("Path", series + k, "-time", *time_s, "-values", *values)
+        for k, values in enumerate(between(np.array(asked["time_s"]), a, asked["dt_s"])):
+            ops.timeSeries(
+                "Path", series + k, "-dt", asked["dt_s"], "-startTime", SETTLE_S,
+                "-values", *values, "-useLast",
+            )  # fmt: skip
         ops.pattern("MultipleSupport", series)
         ops.groundMotion(
             series, "Plain", "-disp", series, "-vel", series + 1, "-accel", series + 2
