@@ -169,7 +169,7 @@ def _apart(heights, last):
 
 
 def _valleys(values):
-    """Places (i, j) of a grid whose neighbours are none of them lower, the lowest first.
+    """Places (i, j) of a grid that no neighbour is below, the lowest first.
 
     Cracks pass openings, rods and floors: what holds and what drives then changes by leaps, and a
     grid has several.
