@@ -306,15 +306,20 @@ def test_a_folder_that_cannot_be_entered_is_said_before_snakemake_goes_there(tmp
     (tmp_path / "there").mkdir()
     from snakemake import cli
 
-    monkeypatch.setattr(cli, "parse_args", cli.parse_args)
+    monkeypatch.setattr(cli, "args_to_api", lambda words, parser: words.directory)
     start.look_at_folder()
     monkeypatch.chdir(tmp_path)
+
+    def entered(*words):
+        parser, given = cli.parse_args(["--cores", "1", *words])
+        return cli.args_to_api(given, parser)
+
     for words in (["-d", "mine.txt"], ["--directory=mine.txt/below"], ["--direc", "mine.txt"]):
         with pytest.raises(SystemExit) as caught:
-            cli.parse_args(["--cores", "1", *words])
+            entered(*words)
         assert str(caught.value).startswith("error: --directory mine.txt")
         assert str(caught.value).endswith(f"{tmp_path}/mine.txt is no folder")
     with pytest.raises(SystemExit, match="File name too long"):
-        cli.parse_args(["--cores", "1", "-d", "a" * 300])
+        entered("-d", "a" * 300)
     for name in ("there", "not/yet"):
-        assert cli.parse_args(["--cores", "1", "-d", name])[1].directory == Path(name)
+        assert entered("-d", name) == Path(name)
