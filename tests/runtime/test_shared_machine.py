@@ -163,6 +163,16 @@ def test_a_home_that_cannot_be_written_is_said_in_one_line(tmp_path, monkeypatch
     assert capsys.readouterr().err == ""
 
 
+def test_a_working_folder_that_is_gone_is_said_in_one_line(tmp_path, monkeypatch):
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    with pytest.raises(SystemExit, match="error: the working folder is gone") as caught:
+        start.prepare()
+    assert "\n" not in str(caught.value)
+
+
 SERVED = """
 import sys
 sys.path[:0] = {paths!r}

@@ -82,6 +82,10 @@ def settle_caches(folder=".snakemake/cache"):
 
 def prepare():
     """Settle caches and guard what Snakemake reads; once, however often it is called."""
+    try:
+        os.getcwd()
+    except OSError as error:
+        sys.exit(f"error: the working folder is gone ({error.strerror}): go to one that is there")
     settle_caches()
     guard()
     look_at_folder()
