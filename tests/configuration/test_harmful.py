@@ -9,6 +9,7 @@ import pytest
 import yaml
 from forked import snakemake
 from rocking import Case
+from rocking.configuration import config, refusals
 from rocking.configuration.files import check_files, check_text, read_yaml, refuse_harmful
 from rocking.configuration.schema import ConfigError
 from rocking.start import guard
@@ -80,6 +81,18 @@ def test_bytes_that_yaml_does_not_take_are_told_in_one_line():
     with pytest.raises(ConfigError, match="own.yaml: not readable as YAML") as caught:
         check_text("run: a\0b\n", "own.yaml")
     assert "\n" not in str(caught.value)
+
+
+def test_a_key_as_long_as_a_page_is_compared_with_no_other(monkeypatch):
+    """The nearest of all keys takes a time that grows with the square of the length."""
+    lengths = []
+    monkeypatch.setattr(
+        refusals.difflib, "get_close_matches", lambda word, *_: lengths.append(len(word)) or []
+    )
+    for key in ("hight_m", "k" * 5000):
+        with pytest.raises(ConfigError, match="unknown key 'facade"):
+            config.resolve({"facade": {key: 1}})
+    assert set(lengths) == {len("hight_m")}
 
 
 def test_aliases_that_people_write_are_read():

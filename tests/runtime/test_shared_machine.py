@@ -11,7 +11,7 @@ import pandas as pd
 import pytest
 from rocking import start
 from rocking.figures import style
-from rocking.runtime import run_lock, warm
+from rocking.runtime import results_folder, run_lock, warm
 from rocking.runtime.compiled import is_own
 from rocking.tables import as_text, write_table
 
@@ -161,6 +161,23 @@ def test_a_home_that_cannot_be_written_is_said_in_one_line(tmp_path, monkeypatch
     assert line.startswith("warning: no cache in the home folder")
     start.settle_caches()  # what can be written is taken as it is
     assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize(
+    ("name", "asked", "said"),
+    [("there", os.X_OK, "enter"), ("there/new/below", os.W_OK | os.X_OK, "make a folder in")],
+)
+def test_a_folder_without_the_right_is_told_by_the_right_that_lacks(
+    tmp_path, monkeypatch, name, asked, said
+):
+    there = tmp_path / "there"
+    there.mkdir()
+    seen = []
+    monkeypatch.setattr(results_folder.os, "access", lambda *given: bool(seen.append(given)))
+    assert results_folder.unreachable(tmp_path / name) == f"no right to {said} {there}"
+    assert seen == [(there, asked)]
+    monkeypatch.setattr(results_folder.os, "access", lambda *given: True)
+    assert results_folder.unreachable(tmp_path / name) == ""
 
 
 def test_a_working_folder_that_is_gone_is_said_in_one_line(tmp_path, monkeypatch):
