@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
-from rocking import Motion
+from rocking import Case, Motion
 from rocking.collapse.curve import run_by
 from rocking.collapse.scan import COURSES_STEP, FIRM_STEP, SHORTER
+from rocking.configuration.config import ConfigError
 from rocking.records import Record
 from rocking.solver import peaks
 from study_cases import study_case
@@ -60,3 +61,23 @@ def test_courses_before_walls_that_stand_firm_take_a_shorter_step():
     firm = [step_s("W1"), step_s("W2"), step_s("W2m", 1e6)]
     assert firm == pytest.approx([shorter] * 3)
     assert FIRM_STEP < COURSES_STEP
+
+
+def test_a_façade_that_stands_in_courses_and_not_in_one_block_is_shaken():
+    """Doors and a thrust: on E/h it falls by itself; its courses take their step all the same."""
+    door = {"z_m": 0.0, "width_m": 2.6, "height_m": 3.0}
+    facade = {
+        "height_m": 12.8,
+        "thickness_m": 0.65,
+        "top_thickness_m": 0.45,
+        "width_m": 11.0,
+        "e_mpa": 1400.0,
+        "openings": [{**door, "x_m": -3.2}, {**door, "x_m": 0.0}, {**door, "x_m": 3.2}],
+        "thrusts": [{"height_m": 3.4, "force_kn": 12.0}],
+    }
+    case = Case.configured("W1", {"facade": {**facade, "courses": 4}})
+    with pytest.raises(ConfigError, match="falls by itself"):
+        Case.configured("W1", {"facade": {**facade, "courses": 0}})
+    motion = Motion.sampled(np.sin(np.arange(0.0, 2.0, 0.01)), 0.01, name="sine")
+    screen = run_by("planar", case, motion, "pos")
+    assert screen.run([0.01], scatter=False)["status"].tolist() == ["ok"]

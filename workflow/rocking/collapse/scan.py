@@ -22,6 +22,7 @@ from yade_scripts.commands.perturb import (
 )
 from yade_scripts.model import floor_motions, models, registry, yielding
 from yade_scripts.model.chain import yields
+from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.floor_motions import GROUND, VERTICAL
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.storeys import storeys_of
@@ -45,6 +46,7 @@ OWN_MOTIONS = 32  # at once, where each amplitude has floor motions of its own: 
 KEPT = 16  # façades whose scenes are kept, for the motions that follow
 LATE_STEP = 0.5  # of `COURSES_STEP`, where the dashpots of thin courses act at the end of a step
 YIELDED = 2.0  # times as long a brief history goes on behind a building that yields
+UPRIGHT = 1e-12  # θ₀/α of a block that is let go: its lean at rest is not looked for
 COURSES_LONG = 2.0  # times the step of courses, of brief histories by long steps
 
 
@@ -355,12 +357,15 @@ def driving(scene, time_s, columns):
 
 
 def one_block_step(case):
-    """Stable step of the façade of a case of courses in one block, walls driven [s]."""
+    """Stable step of the façade of a case of courses in one block, walls driven [s].
+
+    It is that of a block that is let go upright: one may fall by itself where courses stand.
+    """
     facade = {**case["facade"], "courses": 0}
     name = registry.model(case["model"]).one_way_model
     numerics = {**case["numerics"], **dict.fromkeys(NODE_KEYS, NODES)}
-    scene = models.build_scene({**case, "facade": facade, "model": name, "numerics": numerics})
-    return stable_step(to_plane(scene))
+    own = {**case, "facade": facade, "numerics": numerics}
+    return stable_step(to_plane(facade_scene(own, name, case["beta_s"], release_ratio=UPRIGHT)))
 
 
 def layouts(numerics, nodes=None):
