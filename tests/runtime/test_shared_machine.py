@@ -13,7 +13,7 @@ from rocking import start
 from rocking.figures import style
 from rocking.runtime import results_folder, run_lock, warm
 from rocking.runtime.compiled import is_own
-from rocking.tables import as_text, write_table
+from rocking.tables import as_text, read_frame, write_table
 
 ROOT = Path(__file__).resolve().parents[2]
 PATHS = os.pathsep.join([str(ROOT), str(ROOT / "workflow")])
@@ -279,6 +279,7 @@ def test_no_cell_is_a_formula(tmp_path, text):
         write_table(table, tmp_path / "t.csv")
         read = pd.read_csv(tmp_path / "t.csv")
         assert read["event"].tolist() == ["'" + text.replace("\r", "\n")]
+        assert read_frame(tmp_path / "t.csv")["event"].tolist() == [text.replace("\r", "\n")]
     assert as_text(as_text(text)) == as_text(text)
 
 

@@ -130,9 +130,8 @@ def row(number, args):
 def with_nodes(one, nodes):
     """Peak of YADE below the lowest collapse, with so many nodes along every edge."""
     case, motion, direction, _ = shaken(int(one["number"]), bool(one["elastic"]))
-    sections = case.sections
-    sections |= {"numerics": {**sections["numerics"], **dict.fromkeys(NODE_KEYS, nodes)}}
-    table = in_yade(Case(sections), motion, direction, [one["stand_g"]])
+    finer = case.varied({f"numerics.{key}": nodes for key in NODE_KEYS})
+    table = in_yade(finer, motion, direction, [one["stand_g"]])
     return {"yade_nodes": nodes, "yade_many": table["d_over_b"].iloc[0]}
 
 

@@ -7,7 +7,8 @@
 Façades are those of the ranges of the atlas (`studies.atlas.study.design`), each before an elastic
 building and buildings of V/W 0.10, 0.18 and 0.32, under six recorded components that are drawn for
 it, in turns of direction, by short climbs. `--courses` takes the wall in four courses, `--ratios`
-other V/W, `--records` the motions of a table, both ways, in place of those drawn. The fit
+other V/W, `--records` the motions of a table, both ways, in place of those drawn. Curves that
+`--output` holds are not run again, and none begins after `--minutes`. The fit
 (`rocking.formula.yielding`) is of the mean over the motions of the logarithm of yielding over
 elastic; s and a by model, and with `--suite` to the default façade under the whole suite too.
 Tables that follow the first check it; the standard error written to the file is the root of the
@@ -17,6 +18,7 @@ mean square of the first of them.
 import argparse
 import json
 import math
+import time
 from pathlib import Path
 
 import numpy as np
@@ -46,32 +48,32 @@ def shaken(number, args):
     return [(str(name), "pos" if (number + k) % 2 else "neg") for k, name in enumerate(drawn)]
 
 
-def facade_rows(model, design, number, args):
-    """Half collapse of one façade by strength and motion."""
-    keys = FOUR if args.courses else {"facade.courses": 0}
-    own = Case.configured(model, {**keys, **OWN})
-    case, rows = atlas.facade(own, design), []
-    for name, direction in shaken(number, args):
-        motion = Motion.named(name, args.records or SUITE)
-        for ratio in (None, *args.ratios):
-            one = case.varied({"smdof.base_shear_ratio": ratio})
-            found = crossings(one, motion, direction, {"max_pga_g": MOST_G})
-            about = {"facade": number, "model": model, "record": name, "direction": direction}
-            about |= {"courses": int(args.courses), "ratio": ratio, "half_g": found["pga_median_g"]}
-            rows.append(about | {key: design[key] for key in atlas.DIMENSIONS})
+def curve_rows(case, key, design, args):
+    """Half collapse of one façade under one motion by strength."""
+    motion, rows = Motion.named(key["record"], args.records or SUITE), []
+    for ratio in (None, *args.ratios):
+        one = case.varied({"smdof.base_shear_ratio": ratio})
+        found = crossings(one, motion, key["direction"], {"max_pga_g": MOST_G})
+        about = {"courses": int(args.courses), "ratio": ratio, "half_g": found["pga_median_g"]}
+        rows.append(key | about | {name: design[name] for name in atlas.DIMENSIONS})
     return rows
 
 
 def draw(args):
-    """Write the curves of some drawn façades; those that `--output` holds are not run again."""
+    """Write the curves of some drawn façades, both models of a motion after each other."""
+    until = time.monotonic() + 60.0 * args.minutes
     settings = {"seed": args.seed, "facades": args.count, "ranges": law.read()["made_of"]["ranges"]}
-    table = atlas.design(settings)
     rows = pd.read_csv(args.output).to_dict("records") if args.output.exists() else []
-    known = {(row["facade"], row["model"]) for row in rows}
-    for number, design in enumerate(table.to_dict("records")):
-        for model in MODELS:
-            if (number, model) not in known:
-                rows += facade_rows(model, design, number, args)
+    known = {tuple(row[name] for name in KEY) for row in rows}
+    walls = FOUR if args.courses else {"facade.courses": 0}
+    own = {model: Case.configured(model, walls | OWN) for model in MODELS}
+    for number, design in enumerate(atlas.design(settings).to_dict("records")):
+        for name, way in shaken(number, args):
+            for model in MODELS:
+                key = dict(zip(KEY, (number, model, name, way), strict=True))
+                if tuple(key.values()) in known or time.monotonic() > until:
+                    continue
+                rows += curve_rows(atlas.facade(own[model], design), key, design, args)
                 write_table(rows, args.output, digits="%.8g")
 
 
@@ -177,6 +179,7 @@ def main():
     one.add_argument("--courses", action="store_true", help="the wall in four courses")
     one.add_argument("--ratios", type=float, nargs="+", default=RATIOS, help="V/W")
     one.add_argument("--records", help="table of motions in place of those drawn")
+    one.add_argument("--minutes", type=float, default=math.inf, help="begin no curve after")
     one.set_defaults(does=draw)
     two = verbs.add_parser("fit")
     two.add_argument("tables", type=Path, nargs="+")
