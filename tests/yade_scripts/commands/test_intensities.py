@@ -57,3 +57,11 @@ def test_atomic_write_leaves_no_part_behind(tmp_path):
         write_atomic(path, None)
     assert path.read_text() == "old"
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_journal_of_an_earlier_version_is_read(tmp_path):
+    """Another digest of a line would compute every finished run again."""
+    path = tmp_path / "journal.jsonl"
+    line = '{"key": "key0", "reason": "at rest", "row": {"d_over_b": "0.25", "status": "ok"},'
+    path.write_text(line + ' "sum": "e57c397a2f990648"}\n')
+    assert Journal(path).get("key0") == {"d_over_b": "0.25", "status": "ok"}

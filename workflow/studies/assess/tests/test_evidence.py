@@ -171,6 +171,19 @@ def test_a_modified_tree_and_one_of_another_user_are_told(tmp_path, monkeypatch)
     assert version.code() != first
 
 
+def test_the_digest_of_the_code_is_of_sources_and_not_of_what_python_compiled(
+    tmp_path, monkeypatch
+):
+    monkeypatch.setattr(version, "ROOT", tmp_path)
+    (tmp_path / "workflow/__pycache__").mkdir(parents=True)
+    (tmp_path / "workflow/a.py").write_text("a = 1\n")
+    first = version.code()
+    (tmp_path / "workflow/__pycache__/a.pyc").write_bytes(b"compiled")
+    assert version.code() == first
+    (tmp_path / "workflow/b.py").write_text("")
+    assert version.code() != first
+
+
 def test_evidence_that_breaks_off_leaves_nothing(tmp_path, monkeypatch):
     with pytest.raises(FileNotFoundError):
         evidence.keep(tmp_path / "evidence", files(tmp_path, "9"), [tmp_path / "missing.pdf"])
