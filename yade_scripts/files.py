@@ -18,9 +18,11 @@ def read_json(path, *keys):
 
     OSError or ValueError of one line that names the file, and the key that is missing.
     """
+    if os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path):
+        raise ValueError(f"{path}: neither a file nor a link to one")  # a pipe would be waited for
     try:
         found = json.loads(Path(path).read_text("utf-8"))
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise ValueError(f"{path}: not JSON ({error})") from None
     if keys and not isinstance(found, dict):
         raise ValueError(f"{path}: expected an object with {listed(keys)}")

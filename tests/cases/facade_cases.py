@@ -83,41 +83,6 @@ def shaken(config, model, beta_s, time_s, columns, factor, planar=True, two_comp
     return said | h.beside
 
 
-def drive_speed(config, model, beta_s, time_s, columns):
-    """Steps per second with supports driven by YADE's engine, and by Python every step."""
-    scene = facade.facade_scene(config, model, beta_s)
-    time_s = np.array(time_s)
-    columns = {k: np.array(v) for k, v in columns.items()}
-    case = shaking.set_up(scene, config["numerics"], time_s, columns, 1.0)
-    motions, step = case.motions, case.step_s
-    rules = simulate.StopRules(time_s[-1], time_s[-1], overturn_ratio=1e9)
-    inside = simulate.run(scene, motions, step, rules)
-
-    def python_drive(built):
-        omega = built.omega
-        engines = [
-            e
-            for e in omega.engines
-            if type(e).__name__ not in ("InterpolatingDirectedForceEngine", "PyRunner")
-        ]
-        supports = [
-            (omega.bodies[i].state, motions[b.motion])
-            for i, b in zip(built.body, scene.blocks, strict=True)
-            if b.motion
-        ]
-
-        def step_supports():
-            t, dt = omega.time, omega.dt
-            for state, motion in supports:
-                a = np.interp(t, motion.time_s, motion.acceleration_m_s2)
-                state.vel = (0.0, state.vel[1] + a * dt, 0.0)
-
-        omega.engines = [loop.runner(step_supports, 1), *engines]
-
-    outside = simulate.run(scene, motions, step, rules, setup=python_drive)
-    return {"inside": inside.steps / inside.wall_s, "outside": outside.steps / outside.wall_s}
-
-
 def prompt_and_ports():
     """Whether YADE's prompt is loaded, and on how many TCP sockets it listens, after a step."""
     loop.run(adapter.load_yade().Omega(), 1)

@@ -78,6 +78,11 @@ def test_what_is_no_motion_is_named(motion, tmp_path):
     refused(lambda: Motion.read(path, dt_s="0.01", units="g"), "dt_s = '0.01': expected a number")
     refused(lambda: Motion.read(path, dt_s=0.01, units=3), "units = 3: expected text")
     refused(lambda: Motion.sampled(1j * PULSE, 0.01, "g"), "complex numbers are no acceleration")
+    for wrong in (PULSE > 0, [str(value) for value in PULSE], np.array(PULSE, dtype="S")):
+        refused(lambda w=wrong: Motion.sampled(w, 0.01, "g"), "are no acceleration or step")
+    for step in ("0.01", True):
+        refused(lambda s=step: Motion.sampled(PULSE, s, "g"), "are no acceleration or step")
+    refused(lambda: Motion.sampled(PULSE, 0.01, "g", name=None), "name = None: expected text")
     hidden = np.ma.masked_greater(PULSE, 0.5)
     refused(lambda: Motion.sampled(hidden, 0.01, "g"), "not all samples are finite")
     refused(lambda: motion.varied(None), "NoneType given: expected a Variant")

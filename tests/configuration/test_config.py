@@ -231,8 +231,10 @@ def test_impossible_geometry_and_combinations_are_refused(config, message):
 
 def test_the_limits_themselves_are_allowed():
     # b/h = 0.05787, so 3.29° stands on rock and 3.32° has fallen; 11 walls of 0.4 m just fill 4.4 m
-    resolve({"facade": {"tilt_deg": 3.29, "base_stiffness_pa_m": 1e15}})
-    refusal({"facade": {"tilt_deg": 3.32, "base_stiffness_pa_m": 1e15}})
+    resolve({"facade": {"tilt_deg": 3.29, "base_stiffness_pa_m": 1e15, "courses": 0}})
+    refusal({"facade": {"tilt_deg": 3.32, "base_stiffness_pa_m": 1e15, "courses": 0}})
+    slides = {"friction_deg": 0.0, "tilt_deg": 0.5}  # along the joints of its courses
+    assert "facade.tilt_deg = 0.5: expected 0" in refusal({"facade": slides})
     resolve({"return_wall": {"count": 11, "thickness_m": 0.4}})
     resolve({"facade": {"height_m": 0.75}})
     resolve(

@@ -61,7 +61,7 @@ def test_a_configuration_with_the_keys_of_the_study_has_its_case():
     ("given", "courses"),
     [
         ({"facade": {"hinges_m": [4.0]}}, 0),
-        ({"facade": {"tilt_deg": 0.2}, "models": ["W1"]}, 0),
+        ({"facade": {"tilt_deg": 0.2}}, 4),
         ({"facade": {"wedge_deg": 10.0, "wedge_thickness_m": 0.6}}, 0),
         ({"facade": {"base": "column"}}, 0),
         ({"facade": {"base": "study"}}, 4),  # stated as it is

@@ -6,8 +6,10 @@ import sys
 from pathlib import Path
 
 import pytest
+import yaml
 from forked import snakemake
 from rocking import Case
+from rocking.configuration import config, refusals
 from rocking.configuration.files import check_files, check_text, read_yaml, refuse_harmful
 from rocking.configuration.schema import ConfigError
 from rocking.start import guard
@@ -81,6 +83,18 @@ def test_bytes_that_yaml_does_not_take_are_told_in_one_line():
     assert "\n" not in str(caught.value)
 
 
+def test_a_key_as_long_as_a_page_is_compared_with_no_other(monkeypatch):
+    """The nearest of all keys takes a time that grows with the square of the length."""
+    lengths = []
+    monkeypatch.setattr(
+        refusals.difflib, "get_close_matches", lambda word, *_: lengths.append(len(word)) or []
+    )
+    for key in ("hight_m", "k" * 5000):
+        with pytest.raises(ConfigError, match="unknown key 'facade"):
+            config.resolve({"facade": {key: 1}})
+    assert set(lengths) == {len("hight_m")}
+
+
 def test_aliases_that_people_write_are_read():
     check_text("a: &a {x: 1}\nb: {<<: *a, y: 2}\nc: [*a, *a]\n", "own.yaml")
 
@@ -130,21 +144,59 @@ def test_what_is_no_configuration_ends_in_one_line(tmp_path, monkeypatch, make, 
     assert "\n" not in str(caught.value)
 
 
-def test_what_configfile_names_is_looked_at_before_snakemake_reads_it(tmp_path):
-    """By the command that `make setup` writes, and whichever way the option is spelt."""
+PROFILES = [f"--workflow-profile={ROOT}/profiles/{kind}" for kind in ("slurm", "portfolio")]
+
+
+@pytest.mark.parametrize(
+    "start", [["rocking.start"], ["snakemake"], *(["snakemake", one] for one in PROFILES)]
+)
+def test_what_configfile_names_is_looked_at_before_snakemake_reads_it(tmp_path, start):
+    """By the command that `make setup` writes and by any other, however the option is spelt."""
     (tmp_path / "theirs.yaml").write_text(RUNS)
-    start = [sys.executable, "-m", "rocking.start", "-s", str(ROOT / "workflow/Snakefile")]
+    module, *profile = start
+    words = [module, "-s", str(ROOT / "workflow/Snakefile"), *profile, "-n", "--cores", "1"]
     done = subprocess.run(
-        [*start, "-n", "--cores", "1", "--configfiles=theirs.yaml", "--", "check"],
+        [sys.executable, "-m", *words, "--configfiles=theirs.yaml", "--", "check"],
         cwd=tmp_path,
         capture_output=True,
         text=True,
+        timeout=120,
     )
     assert done.returncode == 1
     assert done.stderr.splitlines()[-1] == (
         "error: config: theirs.yaml: __use_yte__ would run code of the file; expected plain values"
     )
     assert not (tmp_path / "ran").exists()
+
+
+def test_every_profile_of_ours_looks_first_and_the_command_of_the_setup_too():
+    asks = [yaml.safe_load(path.read_text("utf-8")) for path in ROOT.glob("profiles/*/config.yaml")]
+    assert len(asks) == 3
+    assert all(one["__use_yte__"] is True for one in asks)
+    assert len({str(one["__definitions__"]) for one in asks}) == 1
     setup = (ROOT / "tools/setup.sh").read_text("utf-8")
     assert "from rocking.start import main" in setup
     assert '__name__ == "__main__"' in setup  # a server of scripts reads that file again
+
+
+def test_a_folder_that_cannot_be_made_is_told_by_any_snakemake(tmp_path):
+    (tmp_path / "file").touch()
+    words = [
+        "-s",
+        str(ROOT / "workflow/Snakefile"),
+        "-n",
+        "--directory",
+        "file/below",
+        "--",
+        "check",
+    ]
+    done = subprocess.run(
+        [sys.executable, "-m", "snakemake", "--cores", "1", *words],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1].startswith("error: --directory file/below: ")
+    assert "Traceback" not in done.stderr

@@ -29,7 +29,10 @@ def test_studies_and_profiles_are_among_them():
 @pytest.mark.parametrize("path", PATHS, ids=lambda path: str(path.relative_to(ROOT)))
 def test_no_key_of_ours_stands_twice(path):
     """YAML itself lets the last of two keys of one name win, and the first is gone unseen."""
-    check_text(path.read_text("utf-8"), path.name)
+    text = path.read_text("utf-8")
+    if path.is_relative_to(ROOT / "workflow/profiles"):  # programs, which a configuration is not
+        text = text.replace("__use_yte__", "uses_yte")
+    check_text(text, path.name)
 
 
 @pytest.mark.parametrize(

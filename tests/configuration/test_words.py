@@ -35,7 +35,7 @@ def test_lists_are_words_too_and_empty_ones_are_left_out():
 
 
 def test_what_there_is_none_of_is_left_out_and_a_stated_nought_is_not():
-    facade = {"friction_deg": 0.0, "tilt_deg": 1.5}
+    facade = {"friction_deg": 0.0, "tilt_deg": 1.5, "courses": 0}
     words = config.relevant(config.resolve({"facade": facade}), "facade").words
     assert "friction 0°" in words
     assert "tilt 1.5°" in words

@@ -6,6 +6,7 @@ import re
 import numpy as np
 import pytest
 import record_samples as samples
+from record_files.reader import read_record
 from record_files.text import read_text
 from record_samples import put, read, refusal
 from rocking.records import RecordError
@@ -116,3 +117,13 @@ def test_declared_numbers_are_checked_before_anything_is_made_of_them(tmp_path):
     for count in (b"999999999", b"99999999999999999999", b"-5", b"0", b"1"):
         data = sample.data.replace(b"NPTS=  64", b"NPTS=  " + count)
         assert "line 4" in refusal(put(tmp_path, sample, data), sample)
+
+
+@pytest.mark.parametrize("line", ["1e308\n-1e308\n", "0.01 1e308\n0.02 -1e308\n"])
+def test_numbers_as_large_as_there_are_end_in_one_line_without_warnings(tmp_path, line, recwarn):
+    path = tmp_path / "vast.txt"
+    path.write_text(line * 500)
+    with pytest.raises(RecordError, match=r"vast\.txt") as caught:
+        read_record(str(path), dt_s=0.01, units="g")
+    assert "\n" not in str(caught.value)
+    assert not recwarn.list

@@ -11,9 +11,9 @@ import pandas as pd
 import pytest
 from rocking import start
 from rocking.figures import style
-from rocking.runtime import run_lock, warm
+from rocking.runtime import results_folder, run_lock, warm
 from rocking.runtime.compiled import is_own
-from rocking.tables import as_text, write_table
+from rocking.tables import as_text, read_frame, write_table
 
 ROOT = Path(__file__).resolve().parents[2]
 PATHS = os.pathsep.join([str(ROOT), str(ROOT / "workflow")])
@@ -163,6 +163,33 @@ def test_a_home_that_cannot_be_written_is_said_in_one_line(tmp_path, monkeypatch
     assert capsys.readouterr().err == ""
 
 
+@pytest.mark.parametrize(
+    ("name", "asked", "said"),
+    [("there", os.X_OK, "enter"), ("there/new/below", os.W_OK | os.X_OK, "make a folder in")],
+)
+def test_a_folder_without_the_right_is_told_by_the_right_that_lacks(
+    tmp_path, monkeypatch, name, asked, said
+):
+    there = tmp_path / "there"
+    there.mkdir()
+    seen = []
+    monkeypatch.setattr(results_folder.os, "access", lambda *given: bool(seen.append(given)))
+    assert results_folder.unreachable(tmp_path / name) == f"no right to {said} {there}"
+    assert seen == [(there, asked)]
+    monkeypatch.setattr(results_folder.os, "access", lambda *given: True)
+    assert results_folder.unreachable(tmp_path / name) == ""
+
+
+def test_a_working_folder_that_is_gone_is_said_in_one_line(tmp_path, monkeypatch):
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    with pytest.raises(SystemExit, match="error: the working folder is gone") as caught:
+        start.prepare()
+    assert "\n" not in str(caught.value)
+
+
 SERVED = """
 import sys
 sys.path[:0] = {paths!r}
@@ -252,6 +279,7 @@ def test_no_cell_is_a_formula(tmp_path, text):
         write_table(table, tmp_path / "t.csv")
         read = pd.read_csv(tmp_path / "t.csv")
         assert read["event"].tolist() == ["'" + text.replace("\r", "\n")]
+        assert read_frame(tmp_path / "t.csv")["event"].tolist() == [text.replace("\r", "\n")]
     assert as_text(as_text(text)) == as_text(text)
 
 
@@ -306,15 +334,20 @@ def test_a_folder_that_cannot_be_entered_is_said_before_snakemake_goes_there(tmp
     (tmp_path / "there").mkdir()
     from snakemake import cli
 
-    monkeypatch.setattr(cli, "parse_args", cli.parse_args)
+    monkeypatch.setattr(cli, "args_to_api", lambda words, parser: words.directory)
     start.look_at_folder()
     monkeypatch.chdir(tmp_path)
+
+    def entered(*words):
+        parser, given = cli.parse_args(["--cores", "1", *words])
+        return cli.args_to_api(given, parser)
+
     for words in (["-d", "mine.txt"], ["--directory=mine.txt/below"], ["--direc", "mine.txt"]):
         with pytest.raises(SystemExit) as caught:
-            cli.parse_args(["--cores", "1", *words])
+            entered(*words)
         assert str(caught.value).startswith("error: --directory mine.txt")
         assert str(caught.value).endswith(f"{tmp_path}/mine.txt is no folder")
     with pytest.raises(SystemExit, match="File name too long"):
-        cli.parse_args(["--cores", "1", "-d", "a" * 300])
+        entered("-d", "a" * 300)
     for name in ("there", "not/yet"):
-        assert cli.parse_args(["--cores", "1", "-d", name])[1].directory == Path(name)
+        assert entered("-d", name) == Path(name)

@@ -244,3 +244,18 @@ def test_a_script_is_no_module_that_a_server_may_import():
     assert sources.names(scripts) == []
     beside = STUDIES / "assess" / "ties.py"
     assert sources.names([beside, *scripts]) == ["studies.assess.ties"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *("import rocking.tables", "import os, rocking.tables as t", "from rocking import tables"),
+        "from rocking.tables import as_text",
+        "def f():\n    try:\n        pass\n    except OSError:\n        import rocking.tables",
+    ],
+)
+def test_an_import_of_any_form_counts(tmp_path, text):
+    path = tmp_path / "script.py"
+    path.write_text(text)
+    packages = {ROOT / "workflow/rocking/__init__.py", ROOT / "workflow/rocking/tables.py"}
+    assert sources.imports(path) == packages

@@ -36,11 +36,19 @@ def test_a_target_that_is_not_known_gets_the_nearest(told):
     assert told(said) == ["No rule to produce fragilty: did you mean fragility?"]
 
 
+def test_a_rule_of_many_files_as_a_target_is_told_in_one_line(told):
+    said = "Target rules may not contain wildcards. Please specify concrete files or a rule \n…"
+    (line,) = told(said)
+    assert line.startswith("a rule of many files is no target")
+    assert "targets: fragility, risk" in line
+
+
 @pytest.mark.parametrize(
     ("path", "words"),
     [
         ("results/other/tables/records.csv", "its run is other, this command's mine: add --config"),
         ("results/mine/ida/*/A_neg.csv", "one file, without wildcards"),
+        ("results/*/tables/records.csv", "one file, without wildcards"),
         ("results/mine/tables", "expected a file, or a target by its name"),
         ("results/mine/ida/W9/A_neg.csv", "of this run, model, record and direction"),
     ],
@@ -58,6 +66,11 @@ def test_an_option_of_which_snakemake_takes_the_last_alone_is_told():
         "--config stands 2 times"
     )
     assert "--configfile stands 2 times" in command_line.fault([*given, "--configfiles=b.yaml"])
+    twice = "smdof={period_s: 0.3, period_s: 0.4}"
+    for words in (["--config", "run=a", twice], ["-C", twice, "-n"], [f"--config={twice}"]):
+        told = command_line.fault(words)
+        assert told == "config: --config smdof line 1: key 'period_s' stands twice"
+    assert command_line.fault(["--config", "smdof={n_dof: 010}", "models=[W1, W2]"]) == ""
     assert command_line.fault(given) == ""
     assert command_line.fault([*given, "--", "--config"]) == ""
 

@@ -53,3 +53,13 @@ def test_a_check_of_yade_that_is_made_again_takes_along_what_is_missing(tmp_path
     assert {"yade_check", "ida", "ida_collapse"} <= {
         line.split(" ")[0] for line in plan.splitlines()
     }
+
+
+def test_until_takes_rules_of_which_one_lies_behind_the_other(tmp_path):
+    """Snakemake alone stops behind the first, with "BUG: Out of jobs ready to be started"."""
+    own = ["models=[W1]", "records=[GMN_NS]", "directions=[pos]"]
+    words = ["--config", *own, "--until", "record", "floor_motions"]
+    done = started(tmp_path, *words, snakefile="Snakefile")
+    assert done.returncode == 0, done.stderr[-2000:]
+    made = {path.parent.name for path in (tmp_path / "results").rglob("GMN_NS*.csv")}
+    assert made == {"records", "smdof"}  # nothing behind them

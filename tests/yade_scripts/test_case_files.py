@@ -2,6 +2,7 @@
 
 import copy
 import json
+import os
 
 import numpy as np
 import pytest
@@ -106,3 +107,11 @@ def test_a_faulty_motion_is_named_with_its_file(tmp_path):
         said = refusal(floor_motions.read, path)
         assert said.startswith(str(path))
         assert words in said
+
+
+def test_a_pipe_is_not_waited_for_and_brackets_without_end_are_no_traceback(tmp_path):
+    pipe, deep = tmp_path / "pipe.json", tmp_path / "deep.json"
+    os.mkfifo(pipe)
+    assert f"{pipe}: neither a file nor a link to one" in refusal(read_case, pipe)
+    deep.write_text("[" * 100_000)
+    assert f"{deep}: not JSON" in refusal(read_case, deep)

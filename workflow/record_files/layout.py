@@ -29,6 +29,9 @@ def kind_of(text):
     return found.kind if found else ""
 
 
+@np.errstate(
+    over="ignore", invalid="ignore"
+)  # numbers that no record has are refused by their peak
 def layout(text, as_columns=None):
     """`Layout` of a file, None without a line of numbers; a RecordError where it stays open.
 

@@ -210,7 +210,7 @@ def assembly_of(scene, names, bounded, keeps):
         ),
         floor=integers([(f.a, f.b) for f in floors]),
         floor_end_m=numbers([arm(f.a, f.position_m) for f in floors], 2),
-        floor_law=numbers([(f.stiffness_n_m, f.capacity_n, f.load_n) for f in floors], 3),
+        floor_law=numbers([(f.stiffness_n_m, f.capacity_n, f.load_n, f.from_m) for f in floors], 4),
         watched=np.array([scene.index(name) for name, _ in scene.watched], np.int64),
         watched_m=numbers([arm(scene.index(name), at) for name, at in scene.watched], 2),
         foot=scene.index(scene.reference),

@@ -46,7 +46,7 @@ class Assembly(NamedTuple):
     tie_law: np.ndarray  # (ties, 4): stiffness, capacity, length at which it is taut, elongation
     floor: np.ndarray  # (floors, 2), int
     floor_end_m: np.ndarray  # (floors, 2)
-    floor_law: np.ndarray  # (floors, 3): stiffness, capacity, load
+    floor_law: np.ndarray  # (floors, 4): stiffness, capacity, load, from where
     watched: np.ndarray  # (points,), int
     watched_m: np.ndarray  # (points, 2)
     foot: int  # block from which d is measured
@@ -181,7 +181,8 @@ def floor_slip(p, i, state, turn):
     """Displacement along y of a floor's point past its carrier [m], and the point's arm."""
     a, b = p.floor[i, 0], p.floor[i, 1]
     y, _, ay, az = at(p, state, turn, a, p.floor_end_m[i, 0], p.floor_end_m[i, 1])
-    return y - p.centre_m[a, 0] - p.floor_end_m[i, 0] - state[3 * b], ay, az
+    past = y - p.centre_m[a, 0] - p.floor_end_m[i, 0] - state[3 * b]
+    return past - p.floor_law[i, 3], ay, az
 
 
 @inlined

@@ -1,8 +1,9 @@
-"""Snakemake as `.venv/bin/snakemake` starts it: no configuration file runs code or stalls it.
+"""What is looked at before Snakemake begins: no configuration file runs code or stalls it.
 
 Snakemake reads what `--configfile` names before the workflow has a word, and takes a file that says
 `__use_yte__` for a template whose expressions it runs, under `-n` too. `make setup` lets
-`.venv/bin/snakemake` start here; `python -m snakemake` is Snakemake alone.
+`.venv/bin/snakemake` start here; for any other `snakemake` the workflow's profiles call `prepare`,
+for they are read before configurations.
 """
 
 import os
@@ -19,11 +20,13 @@ def guard():
     """Let Snakemake look at every configuration file before it reads it.
 
     A configuration is read as strictly as the workflow reads it, so that what is no configuration
-    ends in one line; of a profile only what would run code or stall is refused.
+    ends in one line; of a schema only what would run code or stall is refused.
     """
     from snakemake.common import configfile
 
     read = configfile._load_configfile
+    if read.__module__ == __name__:
+        return
 
     def guarded(configpath_or_obj, filetype="Config"):
         if isinstance(configpath_or_obj, (str, Path)):
@@ -45,15 +48,16 @@ def look_at_folder():
     """
     from snakemake import cli
 
-    parse = cli.parse_args
+    run = cli.args_to_api
+    if run.__module__ == __name__:
+        return
 
-    def looked_at(argv):
-        parser, words = parse(argv)
+    def looked_at(words, parser):
         if words.directory and (fault := results_folder.unreachable(words.directory)):
             sys.exit(f"error: --directory {words.directory}: {fault}")
-        return parser, words
+        return run(words, parser)
 
-    cli.parse_args = looked_at
+    cli.args_to_api = looked_at
 
 
 def settle_caches(folder=".snakemake/cache"):
@@ -76,11 +80,20 @@ def settle_caches(folder=".snakemake/cache"):
         print(f"warning: no cache in the home folder ({error}): kept in {own}", file=sys.stderr)
 
 
-def main():
-    """Start Snakemake with the words of the command line."""
+def prepare():
+    """Settle caches and guard what Snakemake reads; once, however often it is called."""
+    try:
+        os.getcwd()
+    except OSError as error:
+        sys.exit(f"error: the working folder is gone ({error.strerror}): go to one that is there")
     settle_caches()
     guard()
     look_at_folder()
+
+
+def main():
+    """Start Snakemake with the words of the command line."""
+    prepare()
     from snakemake.cli import main as snakemake
 
     return snakemake()

@@ -30,7 +30,8 @@ def read_frame(path, numbers=(), **options):
     """Read a table of results: columns of names as text, as they stand, all others by themselves.
 
     `numbers` are columns that hold numbers here and names elsewhere, such as the runs of a test;
-    `options` are of `pandas.read_csv`. An empty cell is missing in any column.
+    `options` are of `pandas.read_csv`. An empty cell is missing in any column. The apostrophe that
+    `write_table` puts before text is taken off.
     """
     with open(path, encoding="utf-8", newline="") as stream:
         mark = options.get("comment") or "\0"
@@ -38,9 +39,12 @@ def read_frame(path, numbers=(), **options):
         header = next(csv.reader(lines, delimiter=options.get("sep", ",")), [])
     named = [column for column in header if column in NAMES and column not in numbers]
     missing = {column: [""] if column in named else sorted(STR_NA_VALUES) for column in header}
-    return pd.read_csv(
+    frame = pd.read_csv(
         path, dtype=dict.fromkeys(named, str), keep_default_na=False, na_values=missing, **options
     )
+    for name in frame.select_dtypes(include="object"):
+        frame[name] = frame[name].map(_as_given, na_action="ignore")
+    return frame
 
 
 def read_tables(paths):
@@ -77,6 +81,12 @@ def as_text(value):
     text = value.replace("\r\n", "\n").replace("\r", "\n")  # only these are quoted in a CSV file
     plain = unicodedata.normalize("NFKC", text).lstrip("\ufeff")  # ＝ counts as = in places
     return f"'{text}" if _FORMULA.fullmatch(plain) else text
+
+
+def _as_given(cell):
+    """A cell before `as_text`."""
+    guarded = isinstance(cell, str) and cell[:1] == "'" and as_text(cell[1:]) == cell
+    return cell[1:] if guarded else cell
 
 
 def write_table(table, path, columns=None, digits="%.6g"):

@@ -249,6 +249,8 @@ def lock(dag):
 
 
 onstart:
+    with left_out_if_unknown("--until of rules one behind the other"):
+        command_line.pass_through(workflow.dag)
     with left_out_if_unknown("own handling of interrupts"):
         interrupts.heed(workflow.scheduler)
     with left_out_if_unknown("a look at the cluster"):

@@ -100,7 +100,8 @@ class Floor:
     The load is a vertical force on the point, wherever it goes. With u the horizontal displacement
     of the point past the carrier, which does not turn, and p the part of it that has slipped, the
     carrier holds it with −k·(u − p), at most the capacity, past which p grows; the force may point
-    either way. k is positive, load and capacity are not negative: else a ValueError of one line.
+    either way. u counts from `from_m`, where a wall that leans has its point at rest. k is
+    positive, load and capacity are not negative: else a ValueError of one line.
     """
 
     name: str
@@ -110,6 +111,7 @@ class Floor:
     load_n: float
     stiffness_n_m: float
     capacity_n: float
+    from_m: float = 0.0
 
     def __post_init__(self):
         """Check the values."""

@@ -40,7 +40,7 @@ from yade_scripts.model.hinges import hinge_stiffness, pieces
 from yade_scripts.model.motion import along
 from yade_scripts.model.panels import base_block, building_mass, hang_base
 from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
-from yade_scripts.model.rest import at_rest
+from yade_scripts.model.rest import at_rest, held_as_it_leans
 from yade_scripts.model.return_walls import WALL, add_return_walls, back_jkn
 from yade_scripts.model.scene import (
     DOFS,
@@ -148,8 +148,8 @@ def facade_scene(
         reference=BASE,
         thickness_m=facade.thickness_m if facade.is_plain else shape.overturning_m,
         links=[*links, *springs],
-        ties=_ties(facade, *behind),
-        floors=floors + pressing + _storeys(config, blocks, masses),
+        ties=held_as_it_leans(_ties(facade, *behind), facade),
+        floors=held_as_it_leans(floors + pressing, facade) + _storeys(config, blocks, masses),
         shaking=GROUND if kind.two_way else None,
         notes={key: value for key, value in notes.items() if value},
     )
@@ -241,7 +241,9 @@ def _stand(beds, blocks, shape, columns, release_ratio, walls_stand, base):
         lever_m=shape.lever_m,
     )
     stiffness = hinge_stiffness(facade.e_mpa, shape)
-    blocks += pieces(facade.floors, stiffness, shape, upright) if shape.hinges_m else [upright]
+    tilt = math.radians(facade.tilt_deg)
+    cut = shape.hinges_m
+    blocks += pieces(facade.floors, stiffness, shape, upright, tilt) if cut else [upright]
     for k, z in enumerate(shape.hinges_m, 1):
         beds.bed(f"hinge {k}", k + 1, k, z, float(stiffness[k - 1]), meets=shape.joint_at(z))
 

@@ -27,8 +27,8 @@ def part_of(section, foot_m, held_m=None, hinge_m=None, wedge=None):
     A `wedge` of the return walls, (angle of its crack from the vertical in degrees, thickness of
     all walls), makes it one block, on the base of the elastic wall where the façade has courses. Of
     vertical bending `held_m` is the level that stays, `hinge_m` the joint that opens below it.
-    ValueError of one line for heights that the façade has not, hinges that are stated already, or a
-    tilt.
+    ValueError of one line for heights that the façade has not, hinges that are stated already, or
+    bending of a wall that leans.
     """
     if wedge and wedge[0]:
         return _with_wedge(section, (foot_m, held_m, hinge_m), *wedge)
@@ -90,9 +90,10 @@ def _with_wedge(section, heights, deg, thickness_m):
 
 def _check(section, foot_m, held_m, hinge_m):
     eaves, top = section["height_m"], shape_of(section).top_m
-    for key in ("hinges_m", "tilt_deg"):
-        if section[key]:
-            raise ValueError(f"part of a façade: expected no facade.{key}")
+    if section["hinges_m"]:
+        raise ValueError("part of a façade: expected no facade.hinges_m")
+    if section["tilt_deg"] and held_m is not None:
+        raise ValueError("part that bends: expected no facade.tilt_deg, of a wall that leans")
     highest = top if held_m is None else held_m
     if not 0.0 <= foot_m < highest - NEAR_M:
         raise ValueError(f"part.foot_m = {foot_m:g}: expected 0 to less than {highest:g} (m)")

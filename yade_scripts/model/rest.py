@@ -1,6 +1,7 @@
 """Where a façade stands before it is shaken: how far it sinks into its base, and leans."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -82,3 +83,24 @@ def initial_pose(lever_m, angle, sunk_m):
     turned = np.array([c * arm[0] + s * arm[1], -s * arm[0] + c * arm[1]])
     dy, dz = turned - arm
     return (0.0, float(dy), float(dz - sunk_m)), (-angle, 0.0, 0.0)
+
+
+def moved(lever_m, tilt_rad):
+    """By how much a point at a lever from the toe, inward and up, moves as it leans (y, z) [m]."""
+    return initial_pose(lever_m, tilt_rad, 0.0)[0][1:]
+
+
+def held_as_it_leans(bars, facade):
+    """Ties and floors that hold a leaning façade from where it stands; it leaned before."""
+    tilt = math.radians(facade.tilt_deg)
+    return [_from_there(bar, facade.thickness_m, tilt) for bar in bars] if tilt else bars
+
+
+def _from_there(bar, toe_m, tilt):
+    """A tie or a floor of a façade whose toe is at y = `toe_m`."""
+    _, y, z = point = getattr(bar, "end_a_m", None) or bar.position_m
+    out, up = moved((toe_m - y, z), tilt)
+    if point is getattr(bar, "position_m", None):
+        return replace(bar, from_m=out)
+    longer = math.dist((point[0], y + out, z + up), bar.end_b_m) - bar.length_m
+    return replace(bar, slack_m=bar.slack_m + longer)

@@ -85,7 +85,7 @@ class Balance:
         for floor in self.scene.floors:
             place = np.array([floor.position_m[1:]])
             moved = self._moved(pose, [floor.a], place)
-            past = moved[0, 0] - pose[floor.b, 0]
+            past = moved[0, 0] - pose[floor.b, 0] - floor.from_m
             held = min(max(floor.stiffness_n_m * past, -floor.capacity_n), floor.capacity_n)
             self._push(total, pose, [floor.a], np.array([[-held, -floor.load_n]]), place + moved)
         return total
@@ -120,9 +120,10 @@ class Balance:
         one, other = np.split(ends.position_m, 2)
         place = np.tile(one, (2, 1)) + at[:, None] * np.tile(other - one, (2, 1))
         half = np.tile(half, 2)
-        return ends.select(
-            slice(None), position_m=place, kn_n_m=half * ends.kn_n_m, ks_n_m=half * ends.ks_n_m
-        )
+        first, last = np.split(ends.gap_m, 2)
+        gap = np.tile(first, 2) + at * np.tile(last - first, 2)
+        stiff = {"kn_n_m": half * ends.kn_n_m, "ks_n_m": half * ends.ks_n_m}
+        return ends.select(slice(None), position_m=place, gap_m=gap, **stiff)
 
     def _nodes(self, total, pose, nodes):
         """Add the forces of some nodes; those along a joint grow from the reference position."""

@@ -245,7 +245,7 @@ def test_half_a_cycle_is_that_of_its_outline(name):
         ({"thickness_steps": [{"z_m": 1, "thickness_m": 3}]}, ["W1"], "weight falls"),
         ({"gable_height_m": 1.0, "parapet_height_m": 1.0}, ["W1"], "parapet_height_m.*gable"),
         ({"gable_height_m": 1.0}, ["W3"], "W3: expected a façade of one block"),
-        ({"gable_height_m": 1.0, "tilt_deg": 1.0}, ["W1"], "tilt_deg = 1"),
+        ({"hinges_m": [3.0], "tilt_deg": 1.0}, ["W1"], "hinges_m: expected none with facade.tilt"),
     ],
 )
 def test_impossible_shapes(facade, models, message):

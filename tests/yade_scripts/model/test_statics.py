@@ -1,5 +1,6 @@
 """Pieces at rest: their lean by hand, and that nothing moves before anything shakes it."""
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -34,6 +35,12 @@ LEANS = {
     "a thrust": {"thrusts": [{"height_m": 6.0, "force_kn": 4.0}]},
     "a tie that pulls": {"floors": OUTER, "ties": [{**TIE, "pretension_kn": 3.0}]},
     "free-standing": {"sides": "two", "floors": LOADS},
+    "a wall that leans": {
+        "tilt_deg": 0.4,
+        "floors": [{**row, "friction": 0.4} for row in LOADS],
+        "ties": [{**TIE, "pretension_kn": 3.0}],
+        "openings": [{"x_m": 0.0, "z_m": 4.0, "width_m": 1.0, "height_m": 1.5}],
+    },
     "a hinge below a held top": {
         "courses": 0,
         "hinges_m": [4.0],
@@ -78,9 +85,10 @@ def test_nothing_swings_before_anything_shakes(kind):
 
 
 @pytest.mark.parametrize("model", ["W2", "W2m"])
-def test_reference_and_building_leave_it_where_it_rests(model):
+@pytest.mark.parametrize("kind", ["a roof on the outer half", "a wall that leans"])
+def test_reference_and_building_leave_it_where_it_rests(kind, model):
     walls = {"building_mass_kg": 64e3}
-    _, scene = case_of(LEANS["a roof on the outer half"], model, return_wall=walls)
+    _, scene = case_of(LEANS[kind], model, return_wall=walls)
     columns = {"ground": 0.0 * STILL_S} | {f"floor{j}": 0.0 * STILL_S for j in range(1, 5)}
     found = StackSolver(scene, STILL_S, columns, after_s=0.0).history(1.0)
     assert np.ptp(found.d_m) < MOVED * scene.thickness_m
@@ -120,6 +128,25 @@ def test_lean_under_an_eccentric_load():
     matrix = apart.T @ (turning[:, None] * apart) - np.diag(weights @ lengths)
     arm_m = 0.2 - 0.5 * width_m  # outward of the middle
     theta = np.linalg.solve(matrix, np.append(np.zeros(3), 2e3 * arm_m))
+    assert [-block.rotation_rad[0] for block in pieces] == pytest.approx(theta, rel=0.01)
+
+
+def test_a_wall_that_leans_bends_under_its_weight():
+    """K (θ − φ at its base) = Σ W (lengths of the pieces below a weight) θ, of small rotations."""
+    lean = math.radians(0.3)
+    _, scene = case_of({"tilt_deg": 0.3, "e_mpa": 600.0})
+    pieces = [block for block in scene.blocks if block.name.startswith("façade")]
+    heights = np.array([0.0, *(point[2] for _, point in scene.watched[1:])])
+    joints = [scene.joints.index(name) for name in ("base", "hinge 1", "hinge 2", "hinge 3")]
+    kn = np.array([scene.nodes.kn_n_m[scene.nodes.joint == j].sum() for j in joints])
+    turning = kn * scene.thickness_m**2 / 12.0
+    weights = np.array([block.mass_kg * scene.gravity_m_s2 for block in pieces])
+    places = np.array([block.centre_m[2] for block in pieces])
+    lengths = np.clip(places[:, None] - heights, 0.0, np.append(heights[1:], 6.48) - heights)
+    apart = np.eye(4) - np.eye(4, k=-1)
+    matrix = apart.T @ (turning[:, None] * apart) - np.diag(weights @ lengths)
+    theta = np.linalg.solve(matrix, [turning[0] * lean, 0.0, 0.0, 0.0])
+    assert theta[0] > 1.02 * lean
     assert [-block.rotation_rad[0] for block in pieces] == pytest.approx(theta, rel=0.01)
 
 

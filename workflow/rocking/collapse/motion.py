@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 TABLES = ("config/suites/recorded_suite.tsv", "config/records.tsv")  # of what may be named alone
 LEAST = {"vertical": -math.inf, "first_pga_g": 0.0, "pause_s": 0.0}  # numbers of a variant
+NOT_NUMBERS = {"c": "complex numbers", "b": "truth values", "U": "texts", "S": "bytes"}  # numpy's
 PAUSE_S = 10.0  # between two shocks, beyond the free vibration of the first (smdof.tail_s)
 
 
@@ -188,16 +189,19 @@ class Motion:
         Raises
         ------
         RecordError
-            In one line, for unknown units, a step or samples that no record has.
+            In one line, for a name that is no text, unknown units, a step or samples of no record.
         """
+        if not isinstance(name, str):
+            raise RecordError(f"Motion.sampled: name = {name!r}: expected text")
         unit = unit_name(str(units))
         if unit is None:
             raise RecordError(
                 f"record {name}: units {units!r}; expected one of {', '.join(UNITS_M_S2)}"
             )
         try:
-            if np.iscomplexobj(acceleration):
-                raise TypeError("complex numbers are no acceleration")
+            for kind in (np.asanyarray(acceleration).dtype.kind, np.asanyarray(dt_s).dtype.kind):
+                if kind in NOT_NUMBERS:
+                    raise TypeError(f"{NOT_NUMBERS[kind]} are no acceleration or step")
             samples = np.ma.asarray(acceleration, dtype=float).filled(np.nan) * UNITS_M_S2[unit]
             step_s = float(dt_s)
         except (TypeError, ValueError) as error:

@@ -225,8 +225,6 @@ def _check_shape(resolved: Mapping) -> None:
     _check_wedge(resolved["facade"])
     if facade.courses:
         _shape(facade, course_tops(facade)[:-1], "courses")
-    if facade.tilt_deg:
-        raise ConfigError(f"facade.tilt_deg = {show(facade.tilt_deg)}: expected 0 (°) with a shape")
     _shape(facade, ())
 
 
@@ -295,8 +293,10 @@ def _check_hinges(resolved: Mapping) -> None:
         if not kind.compiled or kind.bonded:
             own = f"{given} = {courses}, or facade.courses = 0, one block" if courses else given
             raise ConfigError(f"models = {name}: expected W1, W2 or W2m, dry, with facade.{own}")
-    if facade.tilt_deg:
-        raise ConfigError(f"facade.{given}: expected facade.tilt_deg = 0 (°)")
+    if facade.tilt_deg and heights:
+        raise ConfigError(
+            "facade.hinges_m: expected none with facade.tilt_deg, of a wall that leans"
+        )
     if not facade.is_plain and heights == WEAKEST:
         raise ConfigError(f"facade.{given} = {WEAKEST}: expected a plain façade on the ground")
     if courses:

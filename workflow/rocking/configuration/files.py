@@ -212,6 +212,11 @@ def check_text(text: str, name: str, empty: bool = True) -> None:
         _refuse_other_bases(node, name)
 
 
+def check_inline(text: str, name: str) -> None:
+    """Refuse a value of a command line that is no YAML, grows, or has a key that stands twice."""
+    _loaded(text, name)
+
+
 def read_text(path: str | os.PathLike) -> str:
     """Text of a configuration file, of which no more is read than one may have; ConfigError."""
     if os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path):

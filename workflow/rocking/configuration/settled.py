@@ -15,7 +15,7 @@ from yade_scripts.model.registry import MODELS
 from yade_scripts.model.shape import shape_of
 
 # keys of section facade that say themselves which blocks the façade is, and on what it stands
-OF_A_BLOCK = ("hinges_m", "tilt_deg", "wedge_deg", "outline", "base")
+OF_A_BLOCK = ("hinges_m", "wedge_deg", "outline", "base")
 OF_THE_BUILDING = 0.3  # mass of the study's façade over that of its building
 DIGITS = 4  # of a mass that follows from it
 

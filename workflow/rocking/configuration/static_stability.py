@@ -62,6 +62,11 @@ def check_static_stability(resolved: Mapping) -> None:
     else:
         key, at = "height_m", lambda f: _with(resolved, _heights(facade, f))
     if not stands(at(LEAST)):
+        if key == "tilt_deg":
+            raise ConfigError(
+                f"facade.tilt_deg = {show(facade['tilt_deg'])}: expected 0 (°), since the façade "
+                "falls by itself at a tenth of that too"
+            )
         keys = [f"facade.{key}" for key in ("thrusts", "floors") if facade[key]] or ["facade"]
         raise ConfigError(
             f"{' and '.join(keys)}: the façade falls by itself, at a tenth of its height too; "

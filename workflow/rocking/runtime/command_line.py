@@ -1,15 +1,18 @@
-"""What a command line says in vain, told before anything is planned."""
+"""What a command line says and Snakemake does not do: told before the plan, or mended after it."""
 
 import sys
+
+from rocking.configuration.files import check_inline
+from rocking.configuration.schema import ConfigError
 
 ONCE = {"--config": ("--config", "-C"), "--configfile": ("--configfile", "--configfiles")}
 
 
 def fault(words=None):
-    """Say in one line which option stands twice; empty where none does.
+    """Say in one line which option, or key of a value, stands twice; empty where none does.
 
-    Of these options Snakemake takes the last alone, without a word of the values that it leaves.
-    `words` are the command line, unless given this process's.
+    Snakemake takes the last of them alone, without a word of the values that it leaves. `words` are
+    the command line, unless given this process's.
     """
     words = list(sys.argv if words is None else words)
     words = words[: words.index("--")] if "--" in words else words
@@ -20,4 +23,25 @@ def fault(words=None):
                 f"{name} stands {count} times, and Snakemake takes the last alone: give all behind "
                 f"one {name}, apart by blanks"
             )
+    within = False
+    for word in words:
+        if word.startswith("-"):
+            within = word.partition("=")[0] in ONCE["--config"]
+            word = word.partition("=")[2]
+        key, _, value = word.partition("=")
+        if within and value[:1] in ("{", "["):
+            try:
+                check_inline(value, f"--config {key}")
+            except ConfigError as error:
+                return str(error)
     return ""
+
+
+def pass_through(dag):
+    """Let a run go on behind a rule of `--until` where another one of them lies behind it.
+
+    Snakemake counts nothing as ready behind such a rule, and stops with "Out of jobs" before the
+    second. What lies behind the last of them has left the plan by then.
+    """
+    dag.untilrules.clear()
+    dag.untilfiles.clear()

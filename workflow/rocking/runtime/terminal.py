@@ -38,6 +38,11 @@ def wanted(record):
     return event not in HIDDEN and not str(record.msg).startswith(CHATTER)
 
 
+def _several(names):
+    """The targets, where none is near what was asked for."""
+    return f"targets: {listed(names)} (--list-target-rules says what each makes)"
+
+
 _UNMADE = re.compile(r"File (.+?) marked for report but does not exist\.")
 _NO_RULE = re.compile(r"No rule to produce (.+?) \(if you use.*?\)\.")
 
@@ -46,10 +51,10 @@ def _about_file(path, runs):
     """What may be wrong with a result's path that no rule makes."""
     top, _, rest = path.partition("/")
     run = rest.partition("/")[0]
-    if top == "results" and runs and run not in runs and not run.startswith("."):
-        return f"its run is {run}, this command's {listed(runs)}: add --config run={run}"
     if any(mark in path for mark in "*?{}"):
         return "expected the path of one file, without wildcards"
+    if top == "results" and runs and run not in runs and not run.startswith("."):
+        return f"its run is {run}, this command's {listed(runs)}: add --config run={run}"
     if "." not in path.rpartition("/")[2]:
         return "expected a file, or a target by its name"
     return "is it a file of this run, model, record and direction (`run`, `records`)?"
@@ -73,11 +78,14 @@ def name_targets(targets, logger=None, runs=()):
         if found := _NO_RULE.search(str(record.msg)):
             names = targets()
             near = difflib.get_close_matches(found[1], names, 1)
-            several = f"targets: {listed(names)} (--list-target-rules says what each makes)"
+            several = _several(names)
             said = f"did you mean {near[0]}?" if near else several
             if "/" in found[1]:
                 said = _about_file(found[1], runs)
             record.msg = f"No rule to produce {found[1]}: {said}"
+        if "Target rules may not contain wildcards" in str(record.msg):
+            said = _several(targets())
+            record.msg = f"a rule of many files is no target: name a file of its; {said}"
         return True
 
     for handler in (logger or logging.getLogger("snakemake.logging")).handlers:

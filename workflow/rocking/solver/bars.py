@@ -28,6 +28,7 @@ class Bars(NamedTuple):
     floor_load_n: np.ndarray
     floor_k_n_m: np.ndarray
     floor_capacity_n: np.ndarray
+    floor_from_m: np.ndarray  # displacement from which it counts
     mass_kg: np.ndarray  # of a floor between façade and support; 0: it moves with the support
     spring_n_m: np.ndarray  # from that mass to the support
     dashpot_ns_m: np.ndarray
@@ -107,6 +108,7 @@ def _floor(bars, memory, i, place, turn, half_s, supports, ground_m_s2, weight_r
     at = j if j >= 0 else len(supports.y) - 1
     behind = take(supports.y, at)
     past = y + ry - ay - (take(memory.place_m, i) if mass > 0.0 else behind)
+    past = past - bars.floor_from_m[i]
     held, spent = k * (past - slid), like(0.0, past)
     slides = abs(held) > most
     if some(slides):
@@ -230,6 +232,7 @@ def of_scene(scene, own, column):
         floor_load_n=values(floors, lambda x: x.load_n),
         floor_k_n_m=values(floors, lambda x: x.stiffness_n_m),
         floor_capacity_n=values(floors, lambda x: x.capacity_n),
+        floor_from_m=values(floors, lambda x: x.from_m),
         mass_kg=values(sprung, lambda s: scene.blocks[s.a].mass_kg if s else 0.0),
         spring_n_m=values(sprung, lambda s: s.stiffness_n_m if s else 0.0),
         dashpot_ns_m=values(sprung, lambda s: s.dashpot_ns_m if s else 0.0),

@@ -73,7 +73,8 @@ def lines_of(scene, even, number, column):
             continue
         taken[at] = True
         kn, first, places = nodes.kn_n_m[at], at[0], nodes.position_m[at, 1:]
-        low, high = places[np.lexsort(places.T)[[0, -1]]]
+        ends = np.lexsort(places.T)[[0, -1]]
+        (low, high), gap_m = places[ends], nodes.gap_m[at[ends]]
         length, middle = np.linalg.norm(high - low), 0.5 * (low + high)
         normal = nodes.normal[first, 1:]
         own, other = blocks[nodes.a[first]], blocks[nodes.b[first]]
@@ -86,7 +87,7 @@ def lines_of(scene, even, number, column):
             "origin_m": middle - own.centre_m[1:],
             "along": (high - low) / length,
             "normal": normal,
-            "level_m": normal @ (middle - from_b) - nodes.gap_m[first],
+            "level_m": normal @ (middle - from_b) - 0.5 * gap_m.sum(),
             "half_m": 0.5 * length,
             "k_n_m2": kn.sum() / length,
             **law_of(nodes, first),

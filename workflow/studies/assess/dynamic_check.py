@@ -3,7 +3,8 @@
 SLV and SLC are fulfilled if no analysis exceeds d0 and the mean of the largest displacements does
 not exceed d_SLV (d_SLC), with d0, d_SLV and d_SLC those of the capacity curve. The motions are
 those of `selection`; the model follows the façade block by block. Displacements are those of the
-top relative to the base, and so are the limits; d/b is cut off at 1, where a façade has fallen.
+top relative to the base, of a wall that leans from where it stands, and so are the limits; d/b
+counts from the upright and is cut off at 1, where a façade has fallen.
 
 Near collapse a history turns on its last digits. So motions are run as realisations too, which
 differ in amplitude, node layout and step, and the verdict is drawn over and over with one
@@ -23,6 +24,8 @@ from rocking.collapse.quick import LONG_STEP
 from rocking.collapse.scan import together
 
 from studies.assess.slv import readings
+from yade_scripts.model.facades import Facade
+from yade_scripts.model.rest import moved
 from yade_scripts.model.shape import shape_of
 
 DRAWS = 2000
@@ -82,6 +85,13 @@ def width_of(facade):
     return shape_of(facade).overturning_m
 
 
+def leans_by(facade):
+    """Displacement of the top of a façade that leans, at rest: limits count from there [m]."""
+    own, shape = Facade.of(facade), shape_of(facade)
+    middle = 0.5 * sum(shape.storeys[-1][2:])
+    return moved((shape.thickness_m - middle, shape.top_m), math.radians(own.tilt_deg))[0]
+
+
 def histories(job, turns, fraction=None, realisations=0):
     """Largest displacements of one case under some motions, which march side by side.
 
@@ -111,12 +121,12 @@ def histories(job, turns, fraction=None, realisations=0):
             for (motion, pga_g), direction in turns
         ]
     )
-    tables, width_m = [], width_of(job["facade"])
+    tables, width_m, at_rest_m = [], width_of(job["facade"]), leans_by(job["facade"])
     for ((motion, pga_g), direction), table in zip(turns, found, strict=True):
         about = {"model": job["model"], "record": motion.name, "direction": direction}
         about |= {"realisation": np.arange(1, realisations + 1) if realisations else 0}
         own = {name: table[name].to_numpy() for name in ("d_over_b", "status")}
-        about |= {"pga_g": pga_g, "d_m": width_m * own["d_over_b"], **own}
+        about |= {"pga_g": pga_g, "d_m": width_m * own["d_over_b"] - at_rest_m, **own}
         tables.append(pd.DataFrame(about)[COLUMNS])
     return tables
 

@@ -16,13 +16,20 @@ from pathlib import Path
 LIST = "evidence.sha256"  # what the report cites
 SUMS = "SHA256SUMS"  # of that, and of the report
 MOTIONS = "accelerograms.sha256"  # of files that are not copied, by their paths
+OURS = {LIST, SUMS, MOTIONS, "report.html", "report.pdf"}  # no file of a user's takes these names
 DIGITS = 16  # of a digest, in a folder's name
 
 
 def sums_of(files):
     """Text of digests for contents by name, as `sha256sum` writes it."""
     digests = {name: hashlib.sha256(data).hexdigest() for name, data in files.items()}
-    return "".join(f"{digest}  {name}\n" for name, digest in sorted(digests.items()))
+    return "".join(_line(digest, name) for name, digest in sorted(digests.items()))
+
+
+def _line(digest, name):
+    """Line of a digest; signs that would end a name early are told as `sha256sum` tells them."""
+    told = name.replace("\\", "\\\\").replace("\n", "\\n").replace("\r", "\\r")
+    return f"{'' if told == name else chr(92)}{digest}  {told}\n"
 
 
 def digest_of(files):
@@ -36,7 +43,7 @@ def sums_of_paths(paths):
     for path in sorted(set(map(str, paths))):
         with open(path, "rb") as handle:
             found[path] = hashlib.file_digest(handle, "sha256").hexdigest()
-    return "".join(f"{digest}  {path}\n" for path, digest in found.items())
+    return "".join(_line(digest, path) for path, digest in found.items())
 
 
 def gathered(paths, texts):
@@ -44,7 +51,7 @@ def gathered(paths, texts):
     found = {name: text.encode() for name, text in texts.items()}
     for path in map(Path, paths):
         name, number = path.name, 1
-        while name in found:
+        while name in found or name in OURS:
             number += 1
             name = f"{path.stem}_{number}{path.suffix}"
         found[name] = path.read_bytes()

@@ -13,7 +13,7 @@ from rocking.records import load_as
 from rocking.records.floors import floor_columns
 from rocking.runtime.script import run
 from rocking.tables import read_frame, read_tables, write_table
-from studies.assess.dynamic_check import width_of
+from studies.assess.dynamic_check import leans_by, width_of
 from studies.assess.shaken import cases, settled
 from studies.assess.verdict import decided_by, deciding
 
@@ -56,7 +56,8 @@ def main(job):
         command = [*shlex.split(job.params.yade), *map(str, words)]
         subprocess.run(command, check=True, timeout=LIMIT_S)
         yade = read_frame(output).iloc[-1]
-        d = width_of(case.sections["facade"]) * min(yade["d_over_b"], 1.0)
+        facade = case.sections["facade"]
+        d = width_of(facade) * min(yade["d_over_b"], 1.0) - leans_by(facade)
         values = (found["part"], which, row["pga_g"], row["d_m"], d, yade["status"])
         rows.append((case.model, row["record"], row["direction"], *values))
     write_table(rows, job.output[0], COLUMNS)

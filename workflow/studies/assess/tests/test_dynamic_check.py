@@ -5,11 +5,12 @@ import math
 import numpy as np
 import pandas as pd
 import pytest
+from rocking import Motion
 from studies.assess import dynamic_check
 from studies.assess.dynamic_check import Limits, limits_of, verdict
 from studies.assess.family import Family
 from studies.assess.selection import Selection, choose, periods
-from study_cases import study_settings
+from study_cases import study_case, study_settings
 
 PERIODS = periods(0.15, 3.0)
 LIMITS = Limits(0.40, 0.16, 0.24)
@@ -178,3 +179,15 @@ def test_limits_are_those_of_the_facades_top():
     whole = Family(study_settings({"facade": plain})).part(0.0, "whole")
     found = limits_of(whole.mechanism)
     assert found[:3] == pytest.approx((0.5970, 0.2388, 0.3582), rel=1e-3)
+
+
+def test_displacements_of_a_wall_that_leans_count_from_where_it_stands():
+    """As d_SLV and d0 do: what hardly shakes moves it by nothing, and d/b has its lean."""
+    facade = {"facade.height_m": 5.0, "facade.thickness_m": 0.4, "facade.tilt_deg": 0.5}
+    case = study_case("W1", {**facade, "facade.courses": 4})
+    lean_m = 5.0 * math.sin(math.radians(0.5))
+    assert dynamic_check.leans_by(case["facade"]) == pytest.approx(lean_m, rel=1e-3)
+    motion = Motion.sampled(1e-3 * np.sin(np.arange(0.0, 2.0, 0.01)), 0.01, name="hardly")
+    (found,) = dynamic_check.histories(case.sections, [((motion, 1e-4), "pos")])
+    assert 0.0 < found["d_m"].item() < 0.05 * lean_m
+    assert 0.4 * found["d_over_b"].item() == pytest.approx(lean_m, rel=0.05)

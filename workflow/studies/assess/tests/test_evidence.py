@@ -38,6 +38,32 @@ def checked(place):
     return done.returncode == 0
 
 
+@pytest.mark.parametrize("name", ["a\nb.csv", "a\\b.csv", "a\\nb.csv", "a\rb.csv", " a.csv"])
+def test_a_file_of_any_name_is_checked(tmp_path, name):
+    (tmp_path / name).write_text("1\n")
+    own = evidence.gathered([tmp_path / name], {"config.yaml": ""})
+    place = evidence.keep(tmp_path / "evidence", own, reported(tmp_path, "signed"))
+    assert checked(place)
+    path = place / name
+    path.chmod(0o644)
+    path.write_text("2\n")
+    assert not checked(place)
+    (line,) = evidence.sums_of_paths([tmp_path / name]).splitlines()
+    assert line.startswith("\\") == (name != " a.csv")
+
+
+@pytest.mark.parametrize("name", sorted(evidence.OURS))
+def test_a_file_with_a_name_of_ours_is_kept_beside_ours(tmp_path, name):
+    """A site's spectrum called report.html would else be listed, and not be there."""
+    (tmp_path / "theirs").mkdir()
+    (tmp_path / "theirs" / name).write_text("theirs\n")
+    own = evidence.gathered([tmp_path / "theirs" / name], {"config.yaml": ""})
+    place = evidence.keep(tmp_path / "evidence", own, reported(tmp_path, "signed"))
+    assert checked(place)
+    assert (place / "report.html").read_text() == "signed"
+    assert "theirs\n" in {path.read_text() for path in place.iterdir()}
+
+
 def test_evidence_is_whole_checks_itself_and_is_named_by_its_digest(tmp_path):
     own = files(tmp_path, "9")
     place = evidence.keep(tmp_path / "evidence", own, reported(tmp_path, "signed"))
