@@ -76,6 +76,8 @@ if fault := results_folder.fault(RESULTS):
     stop(fault)
 if workflow.is_main_process and (fault := command_line.fault()):
     stop(fault)
+with left_out_if_unknown("--until of rules one behind the other"):
+    command_line.pass_through()
 if (cores := workflow.resource_settings.cores) is not None and cores < 1:  # it would wait for ever
     stop(f"--cores {cores}: expected 1 or more")
 try:
@@ -249,8 +251,6 @@ def lock(dag):
 
 
 onstart:
-    with left_out_if_unknown("--until of rules one behind the other"):
-        command_line.pass_through(workflow.dag)
     with left_out_if_unknown("own handling of interrupts"):
         interrupts.heed(workflow.scheduler)
     with left_out_if_unknown("a look at the cluster"):
