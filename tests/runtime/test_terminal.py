@@ -3,6 +3,7 @@
 import logging
 
 import pytest
+from rocking.configuration.files import check_inline
 from rocking.runtime import cluster, command_line, terminal
 
 
@@ -62,17 +63,22 @@ def test_a_path_that_nothing_makes_is_told_what_is_wrong_with_it(told, path, wor
 def test_an_option_of_which_snakemake_takes_the_last_alone_is_told():
     """The first --config would be left out without a word."""
     given = ["snakemake", "--cores", "1", "--config", "run=a", "--configfile", "own.yaml", "-n"]
-    assert command_line.fault([*given, "--config", "facade={height_m: 7}"]).startswith(
-        "--config stands 2 times"
+    assert command_line.fault(
+        check_inline, [*given, "--config", "facade={height_m: 7}"]
+    ).startswith("--config stands 2 times")
+    assert "--configfile stands 2 times" in command_line.fault(
+        check_inline, [*given, "--configfiles=b.yaml"]
     )
-    assert "--configfile stands 2 times" in command_line.fault([*given, "--configfiles=b.yaml"])
     twice = "smdof={period_s: 0.3, period_s: 0.4}"
     for words in (["--config", "run=a", twice], ["-C", twice, "-n"], [f"--config={twice}"]):
-        told = command_line.fault(words)
+        told = command_line.fault(check_inline, words)
         assert told == "config: --config smdof line 1: key 'period_s' stands twice"
-    assert command_line.fault(["--config", "smdof={n_dof: 010}", "models=[W1, W2]"]) == ""
-    assert command_line.fault(given) == ""
-    assert command_line.fault([*given, "--", "--config"]) == ""
+    assert (
+        command_line.fault(check_inline, ["--config", "smdof={n_dof: 010}", "models=[W1, W2]"])
+        == ""
+    )
+    assert command_line.fault(check_inline, given) == ""
+    assert command_line.fault(check_inline, [*given, "--", "--config"]) == ""
 
 
 def without(*programs):

@@ -21,6 +21,7 @@ from rocking.collapse.case import SECTIONS
 from rocking.configuration import config as configuration
 from rocking.configuration import unlikely
 from rocking.configuration.chosen import chosen
+from rocking.configuration.files import check_inline
 from rocking.configuration.words import in_a_line
 from rocking.records.intensity_measures import MEASURES
 from rocking.records import RecordError, read_table
@@ -74,7 +75,7 @@ def stop(error):
 
 if fault := results_folder.fault(RESULTS):
     stop(fault)
-if workflow.is_main_process and (fault := command_line.fault()):
+if workflow.is_main_process and (fault := command_line.fault(check_inline)):
     stop(fault)
 with left_out_if_unknown("--until of rules one behind the other"):
     command_line.pass_through()

@@ -2,17 +2,15 @@
 
 import sys
 
-from rocking.configuration.files import check_inline
-from rocking.configuration.schema import ConfigError
-
 ONCE = {"--config": ("--config", "-C"), "--configfile": ("--configfile", "--configfiles")}
 
 
-def fault(words=None):
+def fault(check, words=None):
     """Say in one line which option, or key of a value, stands twice; empty where none does.
 
-    Snakemake takes the last of them alone, without a word of the values that it leaves. `words` are
-    the command line, unless given this process's.
+    Snakemake takes the last of them alone, without a word of the values that it leaves. `check`
+    takes the text of a value and its name, and raises a ValueError of one line; `words` are the
+    command line, unless given this process's.
     """
     words = list(sys.argv if words is None else words)
     words = words[: words.index("--")] if "--" in words else words
@@ -31,8 +29,8 @@ def fault(words=None):
         key, _, value = word.partition("=")
         if within and value[:1] in ("{", "["):
             try:
-                check_inline(value, f"--config {key}")
-            except ConfigError as error:
+                check(value, f"--config {key}")
+            except ValueError as error:
                 return str(error)
     return ""
 
