@@ -41,6 +41,7 @@ from rocking.runtime.fallback import left_out_if_unknown
 from rocking.runs import CurveKey, Runs
 from rocking.runs.names import any_of
 from rocking import version
+from snakemake.dag import DAG
 from yade_scripts.engine import parent_process
 from yade_scripts.lists import listed
 from yade_scripts.model.registry import COMPLETE, MODELS, REFERENCE_MODELS, PUSHED, WITH_WALLS
@@ -78,7 +79,7 @@ if fault := results_folder.fault(RESULTS):
 if workflow.is_main_process and (fault := command_line.fault(check_inline)):
     stop(fault)
 with left_out_if_unknown("--until of rules one behind the other"):
-    command_line.pass_through()
+    command_line.pass_through(DAG)
 if (cores := workflow.resource_settings.cores) is not None and cores < 1:  # it would wait for ever
     stop(f"--cores {cores}: expected 1 or more")
 try:

@@ -35,19 +35,18 @@ def fault(check, words=None):
     return ""
 
 
-def pass_through():
+def pass_through(kind):
     """Let a plan go on behind a rule of `--until` where another one of them lies behind it.
 
     Snakemake counts nothing as ready behind such a rule, and stops with "Out of jobs" before the
-    second. What lies behind the last of them has left the plan once its targets are set.
+    second. What lies behind the last of them has left the plan once its targets are set. `kind` is
+    the class of its plans.
     """
-    from snakemake.dag import DAG
-
-    set_targets = DAG.set_until_jobs
+    set_targets = kind.set_until_jobs
 
     def set_and_forget(dag):
         set_targets(dag)
         dag.untilrules.clear()
         dag.untilfiles.clear()
 
-    DAG.set_until_jobs = set_and_forget
+    kind.set_until_jobs = set_and_forget
