@@ -9,6 +9,7 @@ from reference_solver.stack import StackSolver
 from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
 from rocking.solver import rubbing, stable_step, stack_kernel
+from rocking.solver.lines import in_parts
 from rocking.solver.runs import Motions, fitted, history, peaks
 from rocking.solver.stack import LEAD
 from study_cases import study_case
@@ -101,6 +102,28 @@ def test_parts_of_a_line_go_together_while_none_slides():
         assert shear == pytest.approx(expected, rel=1e-9, abs=1e-15)
     assert together > 40
     assert slid > 40
+
+
+@pytest.mark.parametrize("model", ["W1", "W2m"])
+def test_friction_converges_with_the_parts_of_a_joint(model):
+    """Of sixteen parts, as climbs of a report have, and of as many as there are beside eight.
+
+    In the median of 24 amplitudes; the error falls about with the parts, and is small either way.
+    """
+    t, ground = pulses(1.2)
+    motion = Motion.sampled(ground, float(t[1]), name="pulses")
+    screen = run_by("planar", courses(model), motion, "pos")
+    (plane, *_), how = screen.planes, {"carried": screen.carried, "step_s": screen.steps_s[0]}
+    motions, factors = screen.shaking(np.linspace(0.06, 0.12, 24))
+    found = []
+    for parts in (rubbing.SOME, 2 * rubbing.SOME, rubbing.PARTS):
+        own = plane._replace(lines=in_parts(plane.lines, parts))
+        assert np.allclose(np.diff(own.lines.edge_m).sum(axis=1), 2.0 * plane.lines.half_m)
+        found.append(peaks(own, motions, screen.numerics, factors, **how).d_over_b)
+    as_it_is = peaks(plane, motions, screen.numerics, factors, **how).d_over_b
+    np.testing.assert_array_equal(found[-1], as_it_is)
+    eight, sixteen = (np.median(np.abs(d / found[-1] - 1.0)) for d in found[:2])
+    assert 0.0 < sixteen < eight < 1e-2
 
 
 def test_friction_at_an_edge_turns_the_block_and_what_turns_slips():

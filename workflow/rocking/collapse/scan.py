@@ -8,6 +8,7 @@ import pandas as pd
 
 from rocking.collapse import hidden, search
 from rocking.collapse.search import Answer
+from rocking.solver.lines import in_parts
 from rocking.solver.motions import Motions
 from rocking.solver.plane import moving_supports, to_plane
 from rocking.solver.runs import STEP_FRACTION, Brief, fitted, peaks, stable_step
@@ -47,7 +48,8 @@ KEPT = 16  # façades whose scenes are kept, for the motions that follow
 LATE_STEP = 0.5  # of `COURSES_STEP`, where the dashpots of thin courses act at the end of a step
 YIELDED = 2.0  # times as long a brief history goes on behind a building that yields
 UPRIGHT = 1e-12  # θ₀/α of a block that is let go: its lean at rest is not looked for
-COURSES_LONG = 2.0  # times the step of courses, of brief histories by long steps
+# Of brief histories by long steps: times the step of courses, and parts of friction along a joint
+COURSES_LONG, COURSES_PARTS = 3.0, 16  # 2 % of scatter in half collapse, no bias: docs/record.md
 
 
 class Scan:
@@ -240,7 +242,10 @@ def _layouts_of(text, fraction, brief=False):
     if courses:
         usual = FIRM_STEP if _stands_firm(carried, planes[0]) else COURSES_STEP
         share = min(share, usual) * (LATE_STEP if planes[0].late > 1.0 else 1.0)
-        share *= COURSES_LONG if brief and fraction else 1.0
+        if brief and fraction:
+            share *= COURSES_LONG
+            fewer = [in_parts(plane.lines, COURSES_PARTS) for plane in planes]
+            planes = [p._replace(lines=some) for p, some in zip(planes, fewer, strict=True)]
         steps_s = [share * one_block_step(case)] * len(planes)
     if carried is not None:  # light masses between stiff contacts want shorter ones
         ahead = [getattr(plane, "lead", 0.0) for plane in planes]
@@ -268,9 +273,9 @@ class Screen(Scan):
     solver's own choice is too dear (of pieces between hinges up to `PIECES_STEPS` as much); then
     every layout of nodes has a step of its own. `brief` histories end once what is left of the
     motion no longer tells (`runs.Brief`), so that later swings are not known; with a fraction
-    courses have `COURSES_LONG` times their step. Behind a building that
-    yields its elastic floors tell when little is left, and histories end `YIELDED` times as much
-    later.
+    courses have `COURSES_LONG` times their step and `COURSES_PARTS` of friction. Behind a building
+    that yields its elastic floors tell when little is left, and histories end `YIELDED` times as
+    much later.
 
     Where a building yields and drives its walls, it marches with the façade: as one that carries
     them and that nothing can push. Where it does not at an amplitude, its floors are scaled.

@@ -23,13 +23,10 @@ from rocking.runtime.compiled import inlined
 from .faces import act, met, moving, withstand
 from .groups import law_of
 from .rubbing import COUNTED, DEPTH, HIGH, LOW, MEMORY, PARTS, WHOLE, rubbed
-from .vectors import choose, like, put, some, take
+from .vectors import choose, every, like, put, some, take
 
 SIDE = 0.5 / math.sqrt(3.0)  # two springs there have the moments of an even line of length 1
-# ends of the parts over half a line: half way between parts of one length, which are too long at
-# the ends, and those of a cosine, too long in the middle
-EVEN = np.linspace(-1.0, 1.0, PARTS + 1)
-EDGES = 0.5 * (EVEN + np.sin(0.5 * math.pi * EVEN))
+SURE = 1.0 + 1e-9  # times what a line's end adds: all of it is open or shut, whatever rounding does
 
 
 class Lines(NamedTuple):
@@ -47,7 +44,22 @@ class Lines(NamedTuple):
     shear_ratio: np.ndarray
     beta_s: np.ndarray
     friction: np.ndarray
-    edge_m: np.ndarray  # (lines, PARTS + 1) ends of the parts of friction from the middle
+    edge_m: np.ndarray  # (lines, parts + 1) ends of the parts of friction from the middle
+
+
+def _edges(parts):
+    """Ends of the parts over half a line.
+
+    Half way between those of one length, which are too long at the ends of the line, and those of
+    a cosine, too long in its middle.
+    """
+    even = np.linspace(-1.0, 1.0, parts + 1)
+    return 0.5 * (even + np.sin(0.5 * math.pi * even))
+
+
+def in_parts(lines, parts):
+    """`Lines` with friction told in so many parts, a multiple of `rubbing.SOME` up to `PARTS`."""
+    return lines._replace(edge_m=lines.half_m[:, None] * _edges(parts))
 
 
 def lines_of(scene, even, number, column):
@@ -91,7 +103,7 @@ def lines_of(scene, even, number, column):
             "half_m": 0.5 * length,
             "k_n_m2": kn.sum() / length,
             **law_of(nodes, first),
-            "edge_m": 0.5 * length * EDGES,
+            "edge_m": 0.5 * length * _edges(PARTS),
         }
         for key, values in found.items():
             values.append(row[key])
@@ -114,6 +126,8 @@ def elements(lines, centre):
 @inlined
 def _reach(f0, f1, low, high):
     """The part of a line from `low` to `high` where f0 + f1·s > 0; of nothing high <= low."""
+    if every(abs(f0) > SURE * abs(f1) * max(high, -low)):  # a division is dear
+        return low, choose(f0 > 0.0, high, low)
     steep = abs(f1) > 0.0
     at = -f0 / choose(steep, f1, 1.0)
     rises, falls = f1 > 0.0, f1 < 0.0
@@ -225,7 +239,9 @@ def press(p, parts, rows, back, time, alive, counts):
         )
         more, more_moment = _closing((d0, d1), before, shut, (h0, h1), half)
         whole = normal + more
-        counted = choose(normal > 0.0, whole / choose(normal > 0.0, normal, 1.0), 1.0)
+        counted = like(1.0, d0)
+        if some(abs(more) > 0.0):
+            counted = choose(normal > 0.0, whole / choose(normal > 0.0, normal, 1.0), counted)
         force = k * whole, k * counted * shear
         couple = k * (turns[0] * (moment + more_moment) - turns[1] * counted * turned)
         act(parts, ends, arms, direction, force, couple)

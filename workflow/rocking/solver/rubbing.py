@@ -11,7 +11,7 @@ from rocking.runtime.compiled import inlined
 
 from .vectors import choose, every, like, put, put_where, some, take
 
-PARTS = 32  # in so many parts friction is told along a line
+PARTS = 32  # in so many parts friction is told along a line, at most
 # Rows a line: from where to where it pressed at the last step, its penetration then, d0 + d1·s, and
 # the share of that step for which it did; whether its parts go together: 1, then slip that all of
 # them have had since, and of the stored slips Σ length·slip, Σ length·slip² and the largest; then
@@ -22,10 +22,10 @@ SOME = 8  # parts that are passed over at once where none is pressed
 
 
 @inlined
-def _apart(rows, first, mask):
+def _apart(parts, rows, first, mask):
     """Give the parts of a line that went together their own slips."""
     since = take(rows, first + SINCE)
-    for part in range(PARTS):
+    for part in range(parts):
         had = take(rows, first + SLIP + part)
         put(rows, first + SLIP + part, choose(mask, had + since, had))
     put_where(rows, first + WHOLE, mask, 0.0)
@@ -75,7 +75,7 @@ def rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
     holds = together & throughout
     holds = holds & (ratio * (take(rows, first + MOST) + abs(since)) <= least)
     if some(together & ~holds):
-        _apart(rows, first, together & ~holds)
+        _apart(lines.edge_m.shape[1] - 1, rows, first, together & ~holds)
     none = like(0.0, h0)
     shear = stuck = grip = none
     if some(holds):
@@ -102,21 +102,21 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
     (low, high, low_then, high_then), ((h0, h1), (step, more), now, then) = reach, moves
     (ratio, friction, wanted), (each, throughout), half = law, acts, lines.half_m[i]
     shear = first_moment = stuck = grip = loss = stored = top = like(0.0, h0)
-    glides = each & ~each
-    even = not counts and every(throughout | ~each)
-    for begin in range(0, PARTS, SOME):
+    glides, kept = each & ~each, like(1.0, h0)
+    for begin in range(0, lines.edge_m.shape[1] - 1, SOME):
         low_edge, high_edge = lines.edge_m[i, begin], lines.edge_m[i, begin + SOME]
-        if not (even or counts or some(each & (min(high, high_edge) > max(low, low_edge)))):
+        pressed = each & (min(high, high_edge) > max(low, low_edge))
+        if not (counts or some(pressed)):
             continue
-        anew = (max(low, low_edge) < low_then) | (min(high, high_edge) > high_then)
-        closes = not even and some(each & anew)
+        full = (max(low, low_then) <= low_edge) & (min(high, high_then) >= high_edge)
+        even = not counts and every(full | ~pressed)
         for part in range(begin, begin + SOME):
             at = first + SLIP + part
             one, two = lines.edge_m[i, part], lines.edge_m[i, part + 1]
             if even:  # each part keeps its slip as it is
                 start, stop = like(one, h0), like(two, h0)
-                had, kept = take(rows, at), like(1.0, h0)
-                shut, share = each, choose(each, two - one, 0.0)
+                had, grows = take(rows, at), False
+                shut, share = pressed, choose(pressed, two - one, 0.0)
             else:
                 # what is not pressed keeps a slip that counts for nothing once it is again
                 start, stop = max(low, one), min(high, two)
@@ -127,23 +127,28 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
                 before = max(min(high_then, two) - max(low_then, one), 0.0)
                 if counts:
                     loss += 0.5 * ratio * before * had * had
-                kept = min(before, share) / choose(shut, share, 1.0)
-                had = had * kept
+                grows = some(before < share)
+                if grows:
+                    kept = min(before, share) / choose(shut, share, 1.0)
+                    had = had * kept
                 if counts:
                     loss -= 0.5 * ratio * share * had * had
             middle = choose(shut, 0.5 * (start + stop), 0.0)
             most = friction * max(h0 + h1 * middle, 0.0)
             moved = step + more * middle
-            if closes:
+            if grows:
                 moved = moved * (kept + (1.0 - kept) * _closed(now, then, middle, kept > 0.0))
             slip = had + moved
             held = ratio * slip
             force = min(max(held, -most), most)
             sticks = abs(held) <= most
-            slip = choose(shut, choose(sticks, slip, force / ratio), 0.0)
+            slides = shut & ~sticks
+            if some(slides):  # a division is dear
+                slip = choose(slides, force / ratio, slip)
+                glides = glides | slides
+            slip = choose(shut, slip, 0.0)
             shear += share * force
             first_moment += share * force * middle
-            glides = glides | (shut & ~sticks)
             top, stored = max(top, abs(slip)), stored + share * slip
             if wanted:
                 stuck += choose(sticks, share, 0.0)

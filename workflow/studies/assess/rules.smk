@@ -211,6 +211,7 @@ rule assess_histories:
         verdict=results("assessment/dynamic_check_{model}.csv"),
     benchmark:
         benchmarks("assess_histories_{model}")
+    priority: 2  # assess_friction waits for them
     params:
         table=lambda w: RUNS.table_path(w.run),
         settings=OF_HISTORIES,
