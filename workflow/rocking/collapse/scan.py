@@ -49,7 +49,7 @@ LATE_STEP = 0.5  # of `COURSES_STEP`, where the dashpots of thin courses act at 
 YIELDED = 2.0  # times as long a brief history goes on behind a building that yields
 UPRIGHT = 1e-12  # θ₀/α of a block that is let go: its lean at rest is not looked for
 # Of brief histories by long steps: times the step of courses, and parts of friction along a joint
-COURSES_LONG, COURSES_PARTS = 3.0, 16  # 2 % of scatter in half collapse, no bias: docs/record.md
+COURSES_LONG, COURSES_PARTS = 3.0, 16  # what they cost half collapse: docs/record.md#assessment
 
 
 class Scan:
