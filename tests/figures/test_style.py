@@ -169,7 +169,7 @@ def test_a_logarithmic_axis_of_many_decades_keeps_powers_of_ten(axis):
 
 @pytest.mark.parametrize(("most", "images"), [(2e9, True), (1e5, False)])
 def test_pixels_that_would_fill_the_memory_become_lines(axis, tmp_path, monkeypatch, most, images):
-    """Each raster of a PDF holds the pixels of the whole figure: 88 panels took 23 GB."""
+    """Each artist drawn as pixels holds those of the whole figure until a PDF is finished."""
     monkeypatch.setattr(style, "MOST_BYTES", most)
     axis.plot([0.1, 0.9], [0.2, 0.8], ".", rasterized=True)
     style.save(axis.figure, [str(tmp_path / "a.pdf")])

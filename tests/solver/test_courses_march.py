@@ -106,10 +106,7 @@ def test_parts_of_a_line_go_together_while_none_slides():
 
 @pytest.mark.parametrize("model", ["W1", "W2m"])
 def test_friction_converges_with_the_parts_of_a_joint(model):
-    """Of sixteen parts, as climbs of a report have, and of as many as there are beside eight.
-
-    In the median of 24 amplitudes; the error falls about with the parts, and is small either way.
-    """
+    """Sixteen parts, as in a report's climbs, are nearer to `PARTS` than eight, in the median."""
     t, ground = pulses(1.2)
     motion = Motion.sampled(ground, float(t[1]), name="pulses")
     screen = run_by("planar", courses(model), motion, "pos")

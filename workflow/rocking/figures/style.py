@@ -161,8 +161,8 @@ def settle_math(figure):
 def spare_rasters(figure):
     """Let a figure draw all as lines where what is drawn as pixels would take too much memory.
 
-    Each of these holds the pixels of the whole figure until a PDF is finished: 23 GB for those of
-    88 curves under each other.
+    A PDF holds the pixels of the whole figure for each of these until it is finished: figure 9 of
+    88 curves has 528, of 0.14 GB each.
     """
     drawn = figure.findobj(lambda one: one.get_rasterized())
     pixels = math.prod(figure.get_size_inches()) * plt.rcParams["savefig.dpi"] ** 2
