@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 from matplotlib.colors import to_rgb
 from rocking.figures import style
-from rocking.figures.ida import draw_probability, symbols
+from rocking.figures.ida import draw_probability, draw_scan, symbols
 
 from yade_scripts.model.registry import MODELS
 
@@ -52,3 +52,12 @@ def test_symbols_name_what_is_drawn():
 @pytest.mark.parametrize(("most", "length"), [(1.9, 1.0), (0.7, 0.5), (3e-4, 2e-4), (0.0, 0.0)])
 def test_a_scale_bar_has_a_round_length(most, length):
     assert style.round_length(most) == pytest.approx(length)
+
+
+def test_a_panel_holds_no_pixels(axis, tmp_path):
+    """A PDF keeps those of the whole figure for each part drawn so: 88 panels filled a machine."""
+    about = {"model": "W1", "record": "GMN_NS", "direction": "pos", "status": "ok"}
+    draw_scan(axis, pd.DataFrame({**about, "d_over_b": SHARE, "pga_g": PGA}))
+    draw_probability(axis, 0, table(), ROW, 0.5)
+    style.save(axis.figure, [str(tmp_path / "a.pdf")])
+    assert b"/Subtype /Image" not in (tmp_path / "a.pdf").read_bytes()

@@ -165,12 +165,3 @@ def test_a_logarithmic_axis_of_many_decades_keeps_powers_of_ten(axis):
     style.plain_numbers(axis.figure)
     axis.figure.canvas.draw()
     assert any("10^" in label.get_text() for label in axis.get_yticklabels())
-
-
-@pytest.mark.parametrize(("most", "images"), [(2e9, True), (1e5, False)])
-def test_pixels_that_would_fill_the_memory_become_lines(axis, tmp_path, monkeypatch, most, images):
-    """Each artist drawn as pixels holds those of the whole figure until a PDF is finished."""
-    monkeypatch.setattr(style, "MOST_BYTES", most)
-    axis.plot([0.1, 0.9], [0.2, 0.8], ".", rasterized=True)
-    style.save(axis.figure, [str(tmp_path / "a.pdf")])
-    assert (b"/Subtype /Image" in (tmp_path / "a.pdf").read_bytes()) is images

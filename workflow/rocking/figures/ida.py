@@ -39,7 +39,7 @@ def draw_scan(axis, scan):
     """Outcomes of the dense scan, one faint dot each; where many differ, a cloud."""
     colour = MODELS[curve_key(scan)[0]].colour
     valid = scan[scan["status"] != "failed"]
-    faint = {"color": colour, "ms": 2.2, "mew": 0, "alpha": 0.3, "zorder": 2, "rasterized": True}
+    faint = {"color": colour, "ms": 2.2, "mew": 0, "alpha": 0.3, "zorder": 2}
     axis.plot(valid["d_over_b"], valid["pga_g"], ".", **faint)
 
 
@@ -81,7 +81,7 @@ def draw_probability(axis, place, table, row, top):
     if len(pga):
         edges = np.r_[0.0, (pga[1:] + pga[:-1]) / 2.0, max(top, pga[-1])]
         faces = 1.0 - share[:, None] * (1.0 - colour)
-        axis.pcolormesh(side, edges, faces[:, None, :], rasterized=True)
+        axis.pcolormesh(side, edges, faces[:, None, :])
     elif np.isfinite(row["pga_collapse_g"]):
         low, high = np.nan_to_num(row["pga_safe_g"]), row["pga_collapse_g"]
         axis.fill_betweenx((low, high), *side, fc="white", ec=colour, hatch="////", lw=0.0)

@@ -1,6 +1,5 @@
 """What all figures share: the style file, colours of the models, and saving in two formats."""
 
-import math
 import textwrap
 from pathlib import Path
 
@@ -29,7 +28,6 @@ LOOKS = (  # colour, line and marker of curves that belong to no model
 )
 PLAIN = (1e-4, 1e5)  # range of a logarithmic axis that needs no powers of ten
 MARGIN_IN = 0.05
-MOST_BYTES = 2e9  # of pixels in one figure, see `spare_rasters`
 NAMED = 4  # records that are named one by one below a figure
 SOURCES = {
     "file": "as given",  # whether recorded, the project cannot know
@@ -158,19 +156,6 @@ def settle_math(figure):
                 text.set_parse_math(False)
 
 
-def spare_rasters(figure):
-    """Let a figure draw all as lines where what is drawn as pixels would take too much memory.
-
-    A PDF holds the pixels of the whole figure for each of these until it is finished: figure 9 of
-    88 curves has 528, of 0.14 GB each.
-    """
-    drawn = figure.findobj(lambda one: one.get_rasterized())
-    pixels = math.prod(figure.get_size_inches()) * plt.rcParams["savefig.dpi"] ** 2
-    if 4 * pixels * len(drawn) > MOST_BYTES:
-        for one in drawn:
-            one.set_rasterized(False)
-
-
 def save(figure, output, facts=()):
     """Save a figure to those of the job's outputs that are pictures, without dates; close it.
 
@@ -189,7 +174,6 @@ def save(figure, output, facts=()):
         for legend in figure.legends:
             legend.set_bbox_to_anchor((0.0, 0.0, 1.0, 1.0), figure.transFigure)
         box[1] = line.get_window_extent().y0 / figure.dpi - MARGIN_IN
-    spare_rasters(figure)
     plain = {"png": {"Software": None}, "pdf": {"CreationDate": None, "Producer": None}}
     for path in [str(p) for p in output]:
         if (kind := path.rpartition(".")[2]) in plain:

@@ -47,19 +47,15 @@ class Lines(NamedTuple):
     edge_m: np.ndarray  # (lines, parts + 1) ends of the parts of friction from the middle
 
 
-def _edges(parts):
-    """Ends of the parts over half a line.
+def in_parts(lines, parts):
+    """`Lines` with friction told in so many parts, a multiple of `rubbing.SOME` up to `PARTS`.
 
-    Half way between those of one length, which are too long at the ends of the line, and those of
-    a cosine, too long in its middle.
+    Their ends are half way between those of one length, which are too long at the ends of the line,
+    and those of a cosine, too long in its middle.
     """
     even = np.linspace(-1.0, 1.0, parts + 1)
-    return 0.5 * (even + np.sin(0.5 * math.pi * even))
-
-
-def in_parts(lines, parts):
-    """`Lines` with friction told in so many parts, a multiple of `rubbing.SOME` up to `PARTS`."""
-    return lines._replace(edge_m=lines.half_m[:, None] * _edges(parts))
+    edges = 0.5 * (even + np.sin(0.5 * math.pi * even))
+    return lines._replace(edge_m=lines.half_m[:, None] * edges)
 
 
 def lines_of(scene, even, number, column):
@@ -103,7 +99,7 @@ def lines_of(scene, even, number, column):
             "half_m": 0.5 * length,
             "k_n_m2": kn.sum() / length,
             **law_of(nodes, first),
-            "edge_m": 0.5 * length * _edges(PARTS),
+            "edge_m": (),  # `in_parts` has them
         }
         for key, values in found.items():
             values.append(row[key])
@@ -111,8 +107,7 @@ def lines_of(scene, even, number, column):
     columns = {key: np.array(v, np.int64 if key in whole else float) for key, v in found.items()}
     for key in ("origin_m", "along", "normal"):
         columns[key] = columns[key].reshape(-1, 2)
-    columns["edge_m"] = columns["edge_m"].reshape(-1, PARTS + 1)
-    return Lines(**columns), taken
+    return in_parts(Lines(**columns), PARTS), taken
 
 
 def elements(lines, centre):
