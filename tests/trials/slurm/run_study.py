@@ -8,6 +8,7 @@ compares every table byte for byte (but for the column wall_s) with a run withou
 is in a temporary folder; the daemons are stopped at the end.
 """
 
+import argparse
 import subprocess
 import sys
 import tempfile
@@ -59,6 +60,7 @@ def cancel_one_ida(space):
 
 def main():
     """Run the trial; return 0 if everything held."""
+    argparse.ArgumentParser(description=__doc__.splitlines()[0]).parse_args()
     top = Path(tempfile.mkdtemp(prefix="rocking-slurm-"))
     node = top / "node"
     say(f"working in {top}")

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+from rocking import Case
 from rocking.records import load
 from rocking.solver.storeys import march
 
@@ -30,7 +31,10 @@ def case_of(period_s, ratio, law, damping):
     chain = {"n_dof": 1, "period_s": period_s, "damping_ratio": damping, "damping_model": "modal"}
     loops = {"base_shear_ratio": ratio, "loops": law, "hardening": 0.02, "unloading": 0.0}
     falls = {"flag_share": 0.3, "loss_drift_ratio": None, "lost_drift_ratio": 0.02, "residual": 1.0}
-    return {"smdof": {**chain, **loops, **falls}, "facade": {"height_m": TALL_M}}
+    return {
+        **Case.configured("W2", {"facade.height_m": TALL_M}).sections,
+        "smdof": {**chain, **loops, **falls},
+    }
 
 
 def motions_of(records):
