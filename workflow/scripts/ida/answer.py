@@ -61,13 +61,13 @@ def last_rise(curves):
 
 def draw_checks(strip, names, checked):
     """YADE's runs of every model in a row of its own."""
-    said = "YADE: filled where it fell, open where it stood" if len(checked) else "no run compared"
+    said = "YADE: filled where it stood, open where it fell" if len(checked) else "no run compared"
     if (checked["fell"] != checked["foretold"]).any():
         said += "; crossed out: not as foretold"
     strip.set_title(said, loc="left", fontsize=7.5)
     for place, name in enumerate(reversed(names)):
         kind, own = MODELS[name], checked[checked["model"] == name]
-        for fell, face in ((1, kind.colour), (0, "white")):
+        for fell, face in ((0, kind.colour), (1, "white")):
             rows = own[own["fell"] == fell]
             strip.plot(rows["pga_g"], [place] * len(rows), kind.marker, color=kind.colour, mfc=face)
         other = own[own["fell"] != own["foretold"]]
