@@ -1,7 +1,10 @@
 """No source runs text or loads objects, every value in a shell command is quoted; and traps."""
 
+import ast
 import re
+import shlex
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from code_rules import TOPS, as_python, commands, faults, unquoted
@@ -155,6 +158,18 @@ def test_every_value_in_a_shell_command_is_quoted():
     assert len(seen) == words > 8
     if any(ROOT.glob("workflow/studies/*/*.smk")):  # three of them are of studies
         assert {field for command in seen for field in unquoted(command)} == set(UNQUOTED)
+
+
+def test_the_option_of_a_plan_is_quoted_where_it_is_made():
+    """It stands unquoted in a command, since it may be empty."""
+    tree = ast.parse(as_python((ROOT / "workflow/rules/common.smk").read_text("utf-8")))
+    made = {one.name: one for one in tree.body if isinstance(one, ast.FunctionDef)}
+    known = {"shlex": shlex}
+    exec(ast.unparse(made["plan_option"]), known)
+    for path in ("it's a $(touch pwned); `touch pwned`/a.json", "-rf", "a\nb"):
+        option = known["plan_option"](None, SimpleNamespace(plan=path))
+        assert option == f"--plan {shlex.quote(path)}"
+    assert known["plan_option"](None, SimpleNamespace(plan=[])) == ""
 
 
 RULE = "rule a:\n    input:\n        'b',\n"
