@@ -337,6 +337,7 @@ def test_no_script_takes_all_inputs_for_data():
         *("first, *_ = job.input", "given = ' '.join(job.input)", "given = [*map(str, job.input)]"),
         *("for path in job.input:\n    print(path)", "given = job.input\nlist(given)"),
         *("given, p = job.input, job.params\nprint(*given)", "first = job.input[0]"),
+        "p, given = job.params, job.input\nprint(*given)",
         "x = [p for p in snakemake.input.values()]",
         "given = list(getattr(job, 'input'))",
         "for i in range(3):\n    print(job.input[i])",

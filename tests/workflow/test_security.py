@@ -56,7 +56,7 @@ def test_hostile_record_names_are_refused_in_one_line(name, tmp_path):
     with pytest.raises(RecordError) as caught:
         read_table(table)
     assert str(table) in str(caught.value)
-    assert "\n" not in str(caught.value)
+    assert str(caught.value).isprintable()
 
 
 @pytest.mark.parametrize("name", [*HOSTILE, "main\n"])
