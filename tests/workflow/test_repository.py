@@ -109,7 +109,7 @@ def test_contributing_names_places_and_targets_that_exist():
 @pytest.mark.xdist_group("alone")
 def test_tests_of_a_group_run_in_one_process(request):
     """pytest-xdist reads a group off a test's id; where it stands not there, all is made twice."""
-    if not getattr(request.config.option, "loadgroup", False):
+    if not hasattr(request.config, "workerinput"):
         pytest.skip("all tests run in one process")
     assert request.node.nodeid.endswith("@alone")
 
