@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 import yaml
+from forked import snakemake
 from rocking.configuration import config
 from rocking.configuration.files import check_text
 from rocking.records import RecordError, read_table
@@ -169,6 +170,16 @@ def test_a_hostile_table_ends_snakemake_in_one_line(tmp_path):
     assert len(said) == 1
     assert "Traceback" not in done.stderr
     assert not (tmp_path / "pwned").exists()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("direction", ["pos", "pos;touch pwned #", "$(touch pwned)", "up"])
+def test_the_name_of_a_file_asked_for_puts_no_words_into_a_command(direction, tmp_path):
+    """Direction alone stands unquoted in commands, since it is one of two words."""
+    wanted = f"results/main/ida/W1/GMN_NS_{direction}.csv"
+    done = snakemake(tmp_path, "-n", "--", wanted)
+    refused = "No rule to produce" in done.stdout + done.stderr
+    assert (done.returncode, refused) == ((0, False) if direction == "pos" else (1, True))
 
 
 def listening(pids):
