@@ -9,13 +9,14 @@ from pathlib import Path
 import pytest
 import yaml
 from forked import snakemake
-from rocking.configuration import config
+from rocking.configuration import config, schema
 from rocking.configuration.files import check_text
 from rocking.records import RecordError, read_table
 
 from tests.trials.faults.workspace import RESULTS, SNAKEMAKE, Workspace, environment
 
 ROOT = Path(__file__).resolve().parents[2]
+SECTIONS = {name for name, _ in schema.files()}
 HOSTILE = (
     "$(touch pwned)",
     "`touch pwned`",
@@ -71,6 +72,11 @@ def test_hostile_run_and_record_names_in_the_configuration_are_refused(name):
         config.expand_scenarios({"models": [name]})
     with pytest.raises(config.ConfigError):
         config.expand_scenarios({"directions": [name]})
+    if "complete" in SECTIONS:  # studies may be deleted; these options stand unquoted in commands
+        with pytest.raises(config.ConfigError):
+            config.expand_scenarios({"complete": {"check_direction": name}})
+        with pytest.raises(config.ConfigError):
+            config.expand_scenarios({"building": {"explicit_cost_steps": name}})
 
 
 @pytest.mark.parametrize("name", ["../outside", "a;b", "$(touch pwned)", "a/b"])
