@@ -43,6 +43,7 @@ LOOKED_INTO = ("os", "sys", "builtins", "subprocess", "importlib", "yaml")
 SHELLS = re.compile(r"(.*/)?(env|(ba|da|z|k|c)?sh|python[\d.]*)")
 BY_TEXT = ("eval", "query")  # of a frame: code of pandas' own
 LOOKING = ("getattr", "vars", "setattr")
+SAFE = "getattr(yaml, 'CSafeLoader', yaml.SafeLoader)"  # libyaml's, which makes no objects either
 ASKING = ("hasattr", "dir")
 ADDRESS = re.compile(r"(?i)(https?|ftps?|s3|gs)://")
 READS = re.compile(r"(read|load|open|get|fetch|url|request)", re.I)
@@ -146,7 +147,8 @@ def _call(node, known):
         found.add("allow_pickle by its place")
     if not node.args:
         return found
-    if name in LOOKING and (what := _dotted(node.args[0], known)) in LOOKED_INTO:
+    what = _dotted(node.args[0], known)
+    if name in LOOKING and what in LOOKED_INTO and ast.unparse(node) != SAFE:
         found.add(f"{name}({what})")
     if last in BY_TEXT and isinstance(node.func, ast.Attribute) and not _beginning(node.args[0]):
         found.add(f"{last} of a text")

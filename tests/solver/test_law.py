@@ -53,6 +53,10 @@ def test_a_sliding_node_rubs_at_its_limit_and_its_dashpot_rests():
     assert (share, pressed, sticks) == (1.0, True, False)
     back = law.dry(depth, rate, -speed, 0.0, -1.0, False, JOINT, DT)
     assert back[1] == -shear
+    against = -0.5 * MU * normal / (RATIO * BETA)  # the dashpot would take half of the limit off
+    turning = law.dry(depth, rate, against, 0.0, 1.0, False, JOINT, DT)
+    assert turning[1] == shear
+    assert not turning[5]
     leaving = law.dry(depth, -1.0, speed, 0.0, 1e-9, False, JOINT, DT)
     assert leaving[:2] == (0.0, 0.0)
     assert not leaving[4]

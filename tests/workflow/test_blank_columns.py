@@ -23,6 +23,8 @@ def test_blank_columns_warn_of_nothing_and_are_kept(blank, tmp_path):
         warnings.simplefilter("error")
         found = together(blank)
     assert list(found.columns) == ["model", "pga_g", "fell", "more"]
+    assert list(found.index) == [0, 1]
+    assert list(together(blank[1::-1]).columns) == ["model", "pga_g", "fell", "more"]
     assert found["pga_g"].dtype == float
     assert found["fell"].tolist() == [True, False]
     assert found["model"].tolist() == ["W1", "W2"]

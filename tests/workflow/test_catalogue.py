@@ -36,6 +36,10 @@ def test_the_catalogue_finds_what_it_asks_for():
     deployed = usage["software-stack-deployment"]  # its README's keys
     assert set(deployed) == {"conda", "apptainer", "apptainer+conda", "report"}
     assert deployed["report"] is True
+    rules = "".join(path.read_text("utf-8") for path in (ROOT / "workflow").rglob("*.smk"))
+    conda, container = (bool(re.search(rf"(?m)^ +{one}:", rules)) for one in ("conda", "container"))
+    said = [deployed[key] for key in ("conda", "apptainer", "apptainer+conda")]
+    assert said == [conda, container, conda and container]
     assert (ROOT / "config" / "README.md").is_file()
 
 

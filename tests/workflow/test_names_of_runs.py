@@ -36,8 +36,9 @@ def test_a_pattern_matches_its_names_and_no_others(names):
 
 def test_a_pattern_of_a_grid_is_short_and_reads_in_a_path():
     """500 names in a row are 18,000 characters, in the path of every file of every job."""
+    assert any_of(["tall", "tall-1", "tall-2"]) == r"tall(?:\-[12])?"
     pattern = any_of(GRID)
-    assert len(pattern) < 3000
+    assert len(pattern) < 300  # 2520 where what ends have in common is written with each
     assert not set("{}") & set(pattern)  # Snakemake's own marks around it
     path = re.compile(rf"results/(?P<run>{pattern})/tables/(?P<table>.+)\.csv")
     assert path.fullmatch(f"results/{GRID[77]}/tables/x.csv")["run"] == GRID[77]

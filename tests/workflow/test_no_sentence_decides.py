@@ -124,8 +124,10 @@ def texts_of_first(call):
 
 
 def in_tags(template):
-    """Sentences within the tags of a page's template."""
+    """Sentences within the tags of a template, and in conditions of what it prints."""
     tags = re.findall(r"(?s)\{%(.*?)%\}", template)
+    for printed in re.findall(r"(?s)\{\{(.*?)\}\}", template):
+        tags += re.findall(r"(?s)\bif\b(.*?)(?:\belse\b|\Z)", printed)
     return [
         text for tag in tags for _, text in re.findall(r"(['\"])(.*?)\1", tag) if is_sentence(text)
     ]
@@ -141,6 +143,9 @@ def test_no_rule_and_no_template_does_either():
     found |= {path.name: in_tags(path.read_text("utf-8")) for path in pages}
     assert {name: lines for name, lines in found.items() if lines} == {}
     assert in_tags("{% if said == 'it does not stand' %}")
+    assert in_tags("{% if said\n == 'it does not stand' %}")
+    assert in_tags("{{ 'a' if said == 'it does not stand' else 'b' }}")
+    assert in_tags("{{ 'it does not stand' if a else 'it stands on its base' }}") == []
     assert in_tags("{% if said == 'met' %}it does not stand{% endif %}") == []
 
 
@@ -169,7 +174,9 @@ def test_no_code_compares_with_a_sentence():
         "match said:\n    case 'it does not stand': pass",
         "try: f()\nexcept ValueError as error: g(str(error).replace('a', 'b'))",
         "try: f()\nexcept ValueError as error:\n    if 'x' in str(error): pass",
+        "try: f()\nexcept ValueError as error:\n    if 'x' in repr(error): pass",
         "if said in {'met', 'it does not stand'}: pass",
+        "if said in ['met', 'it does not stand']: pass",
         "NOT = 'it does not stand'\nif said == NOT: pass",
         "ALL = ('met', 'it does not stand')\nif said not in ALL: pass",
         "if said == f'it does not stand {x}': pass",

@@ -4,6 +4,7 @@ import json
 import re
 import subprocess
 import tomllib
+from datetime import date
 from pathlib import Path
 
 import pytest
@@ -35,7 +36,11 @@ def test_the_version_follows_the_changelog():
     top, *rest = re.findall(r"(?m)^## (\S+)", text)
     released = [tuple(map(int, name.split("."))) for name in rest]
     assert released == sorted(released, reverse=True)
+    dates = re.findall(r"(?m)^## \d\S+ - (\d{4}-\d\d-\d\d)$", text)
     number, dev = re.fullmatch(r"(\d+\.\d+\.\d+)(\.dev0)?", package["version"]).groups()
+    assert len(dates) == len(rest) + (not dev)
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
+    assert citation.get("date-released") == (None if dev else date.fromisoformat(dates[0]))
     assert tuple(map(int, number.split("."))) > released[0]
     assert top == ("Unreleased" if dev else number)
 
@@ -48,7 +53,9 @@ def test_a_version_has_ten_lines_and_a_page_with_all():
         lines = re.findall(r"(?m)^\s*(?:([-*+])|\d+[.)]) ", section)
         assert 0 < len(lines) <= 10, section.splitlines()[0]
         assert set(lines) == {"-"}, section.splitlines()[0]
-        (page,) = re.findall(r"\[All of [\d.]+\]\(([^)]+)\)", section)
+        ((said, page),) = re.findall(r"\[All of ([\d.]+)\]\(([^)]+)\)", section)
+        assert section.startswith((f"{said} ", "Unreleased\n"))
+        assert page == f"docs/changes/{said}.md"
         assert (ROOT / page).is_file()
 
 
@@ -58,8 +65,17 @@ def test_a_version_is_the_tree_s_and_its_commit_is_known_in_a_clone(tmp_path, mo
     assert version.stated().startswith(f"rocking-facades {package['version']}")
     if (ROOT / ".git").exists():
         assert re.search(r", commit [0-9a-f]{7,}\+?$", version.stated())
-    monkeypatch.setattr(version, "ROOT", tmp_path)
+    inner = tmp_path / "theirs" / "copy"
+    (inner / "workflow" / "rocking").mkdir(parents=True)
+    (inner / "pyproject.toml").write_text('[project]\nversion = "99.1.0"\n', "utf-8")
+    monkeypatch.setattr(version, "ROOT", inner)
+    assert version.version() == "99.1.0"  # and not the installed one
     assert version.commit() == ""
+    if (ROOT / ".git").exists():  # nor is a copy within another clone at that one's commit
+        own = ("-c", "user.name=a", "-c", "user.email=a@b")
+        for words in (["init", "-q"], ["add", "."], [*own, "commit", "-q", "-m", "Theirs"]):
+            subprocess.run(["git", *words], cwd=inner.parent, check=True)
+        assert version.commit() == ""
 
 
 def test_contributing_names_places_and_targets_that_exist():
@@ -93,7 +109,7 @@ def test_contributing_names_places_and_targets_that_exist():
 @pytest.mark.xdist_group("alone")
 def test_tests_of_a_group_run_in_one_process(request):
     """pytest-xdist reads a group off a test's id; where it stands not there, all is made twice."""
-    if not getattr(request.config.option, "loadgroup", False):
+    if not hasattr(request.config, "workerinput"):
         pytest.skip("all tests run in one process")
     assert request.node.nodeid.endswith("@alone")
 

@@ -1,6 +1,7 @@
 """What comparisons with outside engines share: the monitored point of a rigid façade."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,13 +12,16 @@ from yade_scripts.model.facade import facade_scene
 
 
 @pytest.mark.parametrize("angle", [-0.05, 0.0, 0.08])
-def test_the_top_of_a_turned_facade(angle):
+@pytest.mark.parametrize(("arm", "start"), [(0.0, 0.0), (0.1, 0.02)])
+def test_the_top_of_a_turned_facade(angle, arm, start):
     """A rotation about x takes the centroid's arm (y, z) to (y cos − z sin, …): d is the top's way
     from its place at the start of the scene, over the thickness; 1 ends the run."""
     scene = facade_scene(resolved(), "W1", 0.0)
-    b = scene.thickness_m
+    b, at = scene.thickness_m, scene.index(scene.monitor)
+    scene.monitor_point_m = tuple(np.add(scene.monitor_point_m, (0.0, arm, 0.0)))
+    scene.blocks[at] = replace(scene.blocks[at], displacement_m=(0.0, start, 0.0))
     peak = Peak(scene)
-    block = scene.blocks[scene.index(scene.monitor)]
+    block = scene.blocks[at]
     y, z = np.subtract(scene.monitor_point_m, block.centre_m)[1:]
     assert z > 0.0
     turned = complex(y, z) * complex(math.cos(angle), math.sin(angle))

@@ -136,6 +136,16 @@ def test_soil_factors_of_weak_shaking(soil, ss, cc):
     three(found[1], cc)
 
 
+@pytest.mark.parametrize(
+    ("soil", "between", "least"),
+    [("A", 1.0, 1.0), ("B", 1.1, 1.0), ("C", 1.25, 1.0), ("D", 1.275, 0.9), ("E", 1.175, 1.0)],
+)
+def test_soil_factors_of_stronger_shaking(soil, between, least):
+    """The same table at a_g = 0.3 g, B: 1.40 − 0.40·2.5·0.3, and at 0.6 g: the lower bound."""
+    three(soil_factors(soil, 0.3, 2.5, 0.3)[0], between)
+    three(soil_factors(soil, 0.6, 2.5, 0.3)[0], least)
+
+
 def test_a_record_has_one_pga_in_the_checks_and_in_its_own_table():
     """1 m/s² is 0.1020 g of 9.80665 m/s² there and here, and so is a stiff oscillator's peak."""
     record = Record("sine", np.sin(2.0 * np.pi * np.arange(0.0, 5.0, 0.01)), 0.01, "surrogate")

@@ -30,6 +30,7 @@ def test_a_strong_row_holds_what_a_long_pulse_overturns():
     assert (tied["rows"], tied["stood"], tied["share_stands"]) == (1, 2, 1.0)
     assert tied["pga_g"] == bare["pga_g"] == PGA_G
     assert len(shares([case], [], shaken[:1], PGA_G)) == 1  # no row is needed, or none helps
+    assert [shares([case], [], shaken, pga_g)[0]["stood"] for pga_g in (0.07, 0.1)] == [2, 1]
 
 
 def test_a_history_that_failed_counts_neither_way(monkeypatch):
