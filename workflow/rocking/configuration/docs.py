@@ -86,8 +86,8 @@ snakemake --cores 2 --config run=walls 'grid={facade.thickness_m: [0.25, 0.375, 
 
 - Lists replace lists, they are not joined. Commas make a list on the command line.
 - `null` means "derived": the meaning column says from what.
-- A file with `__use_yte__: true` is a template, of which Snakemake would run expressions as Python. It
-  is refused ([by what](../docs/robustness.md#configurations-from-others)).
+- A file with `__use_yte__: true` is a template, of which Snakemake would run expressions as
+  Python. It is refused ([by what](../docs/robustness.md#configurations-from-others)).
 
 ## Every key, by section
 
