@@ -52,6 +52,13 @@ def test_joints_have_stiffness_and_strength_over_their_area():
     assert nodes.position_m[base, 1].max() == pytest.approx(0.4)
 
 
+@pytest.mark.parametrize("model", ["W1", "W2", "W2m"])
+def test_a_block_behind_the_façade_is_as_wide_as_all_return_walls(model):
+    behind = [one for one in scene(model).blocks if one.name.startswith("return wall")]
+    assert behind
+    assert [one.size_m[0] for one in behind] == pytest.approx([2 * 0.25] * len(behind))
+
+
 def test_a_clearance_is_the_nodes_gap():
     nodes = scene("W2", facade={"gap_m": 0.012}).nodes
     back = nodes.normal[:, 1] > 0.5

@@ -5,6 +5,7 @@ import pandas as pd
 import pytest
 from rocking.collapse import probability
 from studies.risk import fragility_tables as tables
+from studies.shared import fragility
 
 RECORDS = [f"r{i}" for i in range(24)]
 SETTINGS = {"measures": ["better", "pga_g"], "confidence": 0.9, "resamples": 200, "seed": 3}
@@ -52,6 +53,18 @@ def test_brackets_hold_the_collapse_in_every_measure(made):
             assert (first["high"] >= at).all()
             assert part["low"].to_numpy() == pytest.approx(at, rel=0.02)
             assert part["high"].to_numpy() == pytest.approx(at, rel=0.02)
+
+
+def test_two_records_of_a_station_that_fall_alike_tell_as_much_as_one():
+    """Stations are drawn again, with all their records, so the band is that of one record each."""
+    edge = 0.3 * np.exp(0.5 * np.random.default_rng(11).standard_normal(16))
+    one = pd.DataFrame({"station": [f"s{k}" for k in range(16)], "weight": 1.0})
+    one = one.assign(record=one["station"], low=0.95 * edge, high=edge)
+    two = pd.concat([one, one.assign(record=one["record"] + "b")], ignore_index=True)
+    (single, alone), (double, both) = (fragility.fit_table(t, SETTINGS) for t in (one, two))
+    assert (double.median, double.dispersion) == pytest.approx((single.median, single.dispersion))
+    assert np.std(np.log(both.median)) == pytest.approx(np.std(np.log(alone.median)), rel=0.15)
+    assert both.stations == alone.stations == 16
 
 
 def test_both_readings_of_a_curve_that_stands_again(made):
