@@ -84,8 +84,7 @@ def test_parts_of_a_line_go_together_while_none_slides():
     """Friction of a line that is pressed throughout is that of its parts, each with its slip."""
     draw, (ratio, friction, half) = np.random.default_rng(4), (0.33, 0.5, 0.2)
     planes = run_by("planar", courses("W1"), Motion.named("GMN_NS", SUITE), "pos").planes
-    lines = planes[0].lines._replace(half_m=np.array([half]))
-    lines = lines._replace(edge_m=half * lines.edge_m[:1] / lines.edge_m[0, -1])
+    lines = in_parts(planes[0].lines._replace(half_m=np.array([half])), rubbing.PARTS)
     parts, rows = rubbing.PARTS, np.zeros(rubbing.MEMORY)
     edges = lines.edge_m[0]
     shares, middle = np.diff(edges), 0.5 * (edges[1:] + edges[:-1])
@@ -101,6 +100,39 @@ def test_parts_of_a_line_go_together_while_none_slides():
         slid += stuck < 1.9 * half
         assert shear == pytest.approx(expected, rel=1e-9, abs=1e-15)
     assert together > 40
+    assert slid > 40
+
+
+def test_parts_of_a_line_that_rocks_go_together_group_by_group():
+    """As above, pressed from within a group on; what turns slips, and Σ length·slip² is kept."""
+    draw, (ratio, friction, half) = np.random.default_rng(5), (0.33, 0.5, 0.2)
+    planes = run_by("planar", courses("W1"), Motion.named("GMN_NS", SUITE), "pos").planes
+    lines = in_parts(planes[0].lines._replace(half_m=np.array([half])), rubbing.PARTS)
+    edges, rows = lines.edge_m[0], np.zeros((2, rubbing.MEMORY))
+    low = 0.3 * edges[12] + 0.7 * edges[13]
+    cut = np.maximum(edges, low)
+    shares, middle = np.diff(cut), 0.5 * (cut[1:] + cut[:-1])
+    slip, together, slid = np.zeros(rubbing.PARTS), 0, 0
+    for k in range(600):
+        h0, h1 = 1e-4 * (2.6 + np.sin(0.05 * k)), 2e-4 * np.sin(0.031 * k)
+        size = 6e-5 if k % 60 < 8 else 1e-7
+        step, turn = size * draw.normal(), size * draw.normal()
+        limit, before = friction * (h0 + h1 * middle), slip
+        expected, slip = springs(slip, shares, limit, ratio, step + turn * middle)
+        moment = (shares * ratio * slip * middle).sum()
+        law, reach = (ratio, friction, True), (low, half, low, half)
+        moves = (h0, h1), (step, turn), (h0, h1), (h0, h1)
+        for counts in (False, True):
+            own = rows[int(counts)]
+            found = rubbing.rubbed(lines, 0, own, 0, reach, moves, law, True, counts)
+            assert found[0] == pytest.approx(expected, rel=1e-9, abs=1e-15)
+            assert found[1] == pytest.approx(moment, rel=1e-9, abs=1e-16)
+        glides = np.abs(slip - before - step - turn * middle).max() > 1e-15
+        assert found[3] == pytest.approx((shares * slip**2).sum(), rel=1e-9, abs=1e-22)
+        assert glides or found[2] == pytest.approx(half - low)
+        slid += glides
+        together += rows[0, rubbing.GROUPS :: rubbing.OF_GROUP][:4].sum() > 0.0
+    assert together > 100
     assert slid > 40
 
 

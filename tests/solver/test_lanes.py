@@ -143,6 +143,14 @@ def test_whatever_is_drawn_keeps_its_digits(seed):
     assert not names
 
 
+@pytest.mark.parametrize("seed", [7001, 7015, 7073, 7105])
+def test_courses_of_which_parts_of_joints_go_together_in_some_lanes_keep_their_digits(seed):
+    given, options = drawn_whole(seed)
+    assert given[0].lines.half_m.size
+    names, _ = differing(given, options)
+    assert not names
+
+
 @pytest.mark.parametrize(("seed", "share"), [(1, 0.5), (2, 1.0), (3, 3.0)])
 def test_bricks_whose_numbers_ran_over_are_as_by_themselves(monkeypatch, seed, share):
     """No rule ends them before, and forces of 0·∞ do not act on the façade."""

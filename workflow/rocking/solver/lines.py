@@ -22,7 +22,7 @@ from rocking.runtime.compiled import inlined
 
 from .faces import act, met, moving, withstand
 from .groups import law_of
-from .rubbing import COUNTED, DEPTH, HIGH, LOW, MEMORY, PARTS, WHOLE, rubbed
+from .rubbing import COUNTED, DEPTH, HIGH, LOW, MEMORY, PARTS, SOME, WHOLE, rubbed
 from .vectors import choose, every, like, put, some, take
 
 SIDE = 0.5 / math.sqrt(3.0)  # two springs there have the moments of an even line of length 1
@@ -45,6 +45,7 @@ class Lines(NamedTuple):
     beta_s: np.ndarray
     friction: np.ndarray
     edge_m: np.ndarray  # (lines, parts + 1) ends of the parts of friction from the middle
+    second_m3: np.ndarray  # (lines, groups) of each `rubbing.SOME` parts Σ length·place²
 
 
 def in_parts(lines, parts):
@@ -55,7 +56,14 @@ def in_parts(lines, parts):
     """
     even = np.linspace(-1.0, 1.0, parts + 1)
     edges = 0.5 * (even + np.sin(0.5 * math.pi * even))
-    return lines._replace(edge_m=lines.half_m[:, None] * edges)
+    return lines._replace(**friction_parts(lines.half_m[:, None] * edges))
+
+
+def friction_parts(edge_m):
+    """Fields of `Lines` by the ends of the parts of friction, shape (lines, parts + 1)."""
+    length, middle = np.diff(edge_m), 0.5 * (edge_m[:, :-1] + edge_m[:, 1:])
+    groups = (length * middle**2).reshape(len(edge_m), length.shape[1] // SOME, SOME)
+    return {"edge_m": edge_m, "second_m3": groups.sum(axis=2)}
 
 
 def lines_of(scene, even, number, column):
@@ -100,6 +108,7 @@ def lines_of(scene, even, number, column):
             "k_n_m2": kn.sum() / length,
             **law_of(nodes, first),
             "edge_m": (),  # `in_parts` has them
+            "second_m3": (),
         }
         for key, values in found.items():
             values.append(row[key])

@@ -1,6 +1,7 @@
 """Friction along a line of `lines`, told in parts: each has a spring that slides at μN.
 
-Parts that are pressed all along, and of which none slides, go together until one of them may.
+What is pressed all along, and of which no part slides, goes together until one of its parts may:
+the whole line, or `SOME` parts beside each other of a line that rocks. It costs as one part does.
 Where a line meets its plane at an angle, its points slip differently as it turns, by what their
 place has along the plane; friction there turns the block too. Pressed all along, a line has next to
 no angle. What closed within a step slips for the share of the step since then, as a node in `law`;
@@ -12,23 +13,39 @@ from rocking.runtime.compiled import inlined
 from .vectors import choose, every, like, put, put_where, some, take
 
 PARTS = 32  # in so many parts friction is told along a line, at most
+SOME = 8  # parts beside each other, which are passed over at once where none is pressed
 # Rows a line: from where to where it pressed at the last step, its penetration then, d0 + d1·s, and
 # the share of that step for which it did; whether its parts go together: 1, then slip that all of
 # them have had since, and of the stored slips Σ length·slip, Σ length·slip² and the largest; then
-# the slip of each part
-LOW, HIGH, DEPTH, COUNTED, WHOLE, SINCE, SUM, SQUARES, MOST, SLIP = 0, 1, 2, 4, 5, 6, 7, 8, 9, 10
+# as many rows for each `SOME` parts, as below; then the slip of each part
+LOW, HIGH, DEPTH, COUNTED, WHOLE, SINCE, SUM, SQUARES, MOST, GROUPS = 0, 1, 2, 4, 5, 6, 7, 8, 9, 10
+# Whether they go together, slip since, at the middle of the line and along it, and of the stored
+# slips Σ length·slip, Σ length·s·slip, Σ length·slip² and the largest
+TOGETHER, STEP, TURN, SUMS, FIRST, SQUARED, LARGEST, OF_GROUP = 0, 1, 2, 3, 4, 5, 6, 7
+SLIP = GROUPS + OF_GROUP * (PARTS // SOME)
 MEMORY = SLIP + PARTS
-SOME = 8  # parts that are passed over at once where none is pressed
 
 
 @inlined
-def _apart(parts, rows, first, mask):
-    """Give the parts of a line that went together their own slips."""
+def _apart(groups, rows, first, mask):
+    """Give groups of a line that went together the slip that it has had since; see `WHOLE`."""
     since = take(rows, first + SINCE)
-    for part in range(parts):
-        had = take(rows, first + SLIP + part)
-        put(rows, first + SLIP + part, choose(mask, had + since, had))
+    for group in range(groups):
+        at = first + GROUPS + OF_GROUP * group + STEP
+        put(rows, at, take(rows, at) + choose(mask, since, 0.0))
     put_where(rows, first + WHOLE, mask, 0.0)
+
+
+@inlined
+def _parted(lines, i, rows, first, group, mask):
+    """Give the parts of a group that went together their own slips."""
+    at = first + GROUPS + OF_GROUP * group
+    step, turn = take(rows, at + STEP), take(rows, at + TURN)
+    for part in range(SOME * group, SOME * group + SOME):
+        middle = 0.5 * (lines.edge_m[i, part] + lines.edge_m[i, part + 1])
+        had = take(rows, first + SLIP + part)
+        put(rows, first + SLIP + part, choose(mask, had + (step + turn * middle), had))
+    put_where(rows, at + TOGETHER, mask, 0.0)
 
 
 @inlined
@@ -75,7 +92,7 @@ def rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
     holds = together & throughout
     holds = holds & (ratio * (take(rows, first + MOST) + abs(since)) <= least)
     if some(together & ~holds):
-        _apart(lines.edge_m.shape[1] - 1, rows, first, together & ~holds)
+        _apart((lines.edge_m.shape[1] - 1) // SOME, rows, first, together & ~holds)
     none = like(0.0, h0)
     shear = stuck = grip = none
     if some(holds):
@@ -97,19 +114,84 @@ def rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
 
 
 @inlined
+def _going(lines, i, rows, first, group, moves, law, acts, counts):
+    """Move a group that goes together where none of its parts may slide.
+
+    Parameters
+    ----------
+    group : int
+    acts : tuple of 2 masks
+        Where it counts; of that where all of it is pressed, now and at the last step.
+    lines, i, rows, first, moves, law, counts
+        See `rubbed`.
+
+    Returns
+    -------
+    going, slips, firsts, squares, most
+        Where it does; over its parts Σ length·slip, Σ length·s·slip, if energies are wanted
+        Σ length·slip², and what no |slip| is above.
+    """
+    ((h0, h1), (step, more), _, _), (ratio, friction, _), (each, full) = moves, law, acts
+    begin, at = SOME * group, first + GROUPS + OF_GROUP * group
+    low, high = lines.edge_m[i, begin], lines.edge_m[i, begin + SOME]
+    together = take(rows, at + TOGETHER) > 0.0
+    slip, turn = take(rows, at + STEP) + step, take(rows, at + TURN) + more
+    least = friction * max(min(h0 + h1 * low, h0 + h1 * high), 0.0)
+    top = take(rows, at + LARGEST) + (abs(slip) + abs(turn) * max(-low, high))
+    going = together & full & (ratio * top <= least)
+    parts = each & together & ~going
+    if some(parts):
+        _parted(lines, i, rows, first, group, parts)
+    length, moment, second = high - low, 0.5 * (high * high - low * low), lines.second_m3[i, group]
+    put_where(rows, at + STEP, going, slip)
+    put_where(rows, at + TURN, going, turn)
+    sums, firsts = take(rows, at + SUMS), take(rows, at + FIRST)
+    stored = sums + (slip * length + turn * moment)
+    about = firsts + (slip * moment + turn * second)
+    squares = like(0.0, h0)
+    if counts:
+        squares = slip * (2.0 * sums + (slip * length + 2.0 * turn * moment))
+        squares = take(rows, at + SQUARED) + squares + turn * (2.0 * firsts + turn * second)
+    return going, stored, about, squares, top
+
+
+@inlined
 def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
     """As `rubbed`, part by part: where it is wanted, and where all of the line is pressed."""
     (low, high, low_then, high_then), ((h0, h1), (step, more), now, then) = reach, moves
     (ratio, friction, wanted), (each, throughout), half = law, acts, lines.half_m[i]
     shear = first_moment = stuck = grip = loss = stored = top = like(0.0, h0)
-    glides, kept = each & ~each, like(1.0, h0)
-    for begin in range(0, lines.edge_m.shape[1] - 1, SOME):
+    none, kept = each & ~each, like(1.0, h0)
+    alike = ~none  # where all groups so far go together
+    over = 1.0 / ratio  # divisions are dear, and so are branches that go either way
+    widens = counts or some(each & ((low < low_then) | (high > high_then)))
+    for group in range((lines.edge_m.shape[1] - 1) // SOME):
+        begin, of_group = SOME * group, first + GROUPS + OF_GROUP * group
         low_edge, high_edge = lines.edge_m[i, begin], lines.edge_m[i, begin + SOME]
         pressed = each & (min(high, high_edge) > max(low, low_edge))
         if not (counts or some(pressed)):
+            alike = none
             continue
         full = (max(low, low_then) <= low_edge) & (min(high, high_then) >= high_edge)
-        even = not counts and every(full | ~pressed)
+        whole = full & pressed
+        going, sums, firsts, squares, most_here = _going(
+            lines, i, rows, first, group, moves, law, (each, whole), counts
+        )
+        if some(going):
+            shear += choose(going, ratio * sums, 0.0)
+            first_moment += choose(going, ratio * firsts, 0.0)
+            stuck += choose(going, high_edge - low_edge, 0.0)
+            grip += choose(going, squares, 0.0)
+            stored += choose(going, sums, 0.0)
+            top = max(top, choose(going, most_here, 0.0))
+        mine = each & ~going
+        pressed = pressed & ~going
+        if not some(mine if counts else mine & pressed):
+            alike = alike & going
+            continue
+        even, may_join = not counts and every(full | ~pressed), some(mine & whole)
+        sums = firsts = squares = most_here = like(0.0, h0)
+        slid = none
         for part in range(begin, begin + SOME):
             at = first + SLIP + part
             one, two = lines.edge_m[i, part], lines.edge_m[i, part + 1]
@@ -118,22 +200,21 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
                 had, grows = take(rows, at), False
                 shut, share = pressed, choose(pressed, two - one, 0.0)
             else:
-                # what is not pressed keeps a slip that counts for nothing once it is again
                 start, stop = max(low, one), min(high, two)
-                shut = each & (stop > start)
-                if not (counts or some(shut)):
-                    continue
+                shut = mine & (stop > start)
                 had, share = take(rows, at), choose(shut, stop - start, 0.0)
-                before = max(min(high_then, two) - max(low_then, one), 0.0)
+                before, grows = share, False
+                if widens:
+                    before = max(min(high_then, two) - max(low_then, one), 0.0)
+                    grows = some(before < share)
                 if counts:
                     loss += 0.5 * ratio * before * had * had
-                grows = some(before < share)
                 if grows:
                     kept = min(before, share) / choose(shut, share, 1.0)
                     had = had * kept
                 if counts:
                     loss -= 0.5 * ratio * share * had * had
-            middle = choose(shut, 0.5 * (start + stop), 0.0)
+            middle = 0.5 * (start + stop)
             most = friction * max(h0 + h1 * middle, 0.0)
             moved = step + more * middle
             if grows:
@@ -143,22 +224,35 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
             force = min(max(held, -most), most)
             sticks = abs(held) <= most
             slides = shut & ~sticks
-            if some(slides):  # a division is dear
-                slip = choose(slides, force / ratio, slip)
-                glides = glides | slides
-            slip = choose(shut, slip, 0.0)
+            slip, slid = choose(slides, over * force, slip), slid | slides
             shear += share * force
             first_moment += share * force * middle
-            top, stored = max(top, abs(slip)), stored + share * slip
+            if may_join:
+                most_here = max(most_here, choose(shut, abs(slip), 0.0))
+                sums += share * slip
+                firsts += share * slip * middle
             if wanted:
                 stuck += choose(sticks, share, 0.0)
-            put_where(rows, at, each, slip)
+            # what is not pressed has a slip that counts for nothing once it is again
+            put_where(rows, at, mine, slip)
             if counts:
-                grip += share * slip * slip
+                squares += share * slip * slip
                 mean = 0.5 * (most + min(ratio * abs(had), abs(held)))
                 loss += choose(sticks, 0.0, share * mean * abs(held - force) / ratio)
+        grip, stored, top = grip + squares, stored + sums, max(top, most_here)
+        least = friction * max(min(h0 + h1 * low_edge, h0 + h1 * high_edge), 0.0)
+        joins = mine & whole & ~slid & (2.0 * ratio * most_here < least)
+        if some(joins):
+            put_where(rows, of_group + TOGETHER, joins, 1.0)
+            put_where(rows, of_group + STEP, joins, 0.0)
+            put_where(rows, of_group + TURN, joins, 0.0)
+            put_where(rows, of_group + SUMS, joins, sums)
+            put_where(rows, of_group + FIRST, joins, firsts)
+            put_where(rows, of_group + SQUARED, joins, squares)
+            put_where(rows, of_group + LARGEST, joins, most_here)
+        alike = alike & (going | joins)
     least = friction * max(min(h0 - h1 * half, h0 + h1 * half), 0.0)
-    joins = each & throughout & ~glides & (2.0 * ratio * top < least)
+    joins = each & throughout & alike & (2.0 * ratio * top < least)
     if some(joins):
         put_where(rows, first + WHOLE, joins, 1.0)
         put_where(rows, first + SINCE, joins, 0.0)
