@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 import yaml
 from forked import run
-from rocking.configuration import docs, schema
+from rocking.configuration import schema
 from rocking.configuration.config import (
     ConfigError,
     check_files,
@@ -18,6 +18,8 @@ from rocking.configuration.config import (
     relevant,
     resolve,
 )
+
+from docs import write_keys as docs
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -107,7 +109,7 @@ def test_faults_of_a_study_are_named(config, message):
 
 
 def test_the_page_follows_the_schemas(capsys):
-    assert docs.main(["--check"]) == 0, "run python -m rocking.configuration.docs"
+    assert docs.main(["--check"]) == 0, "run python -m docs.write_keys"
     overview = docs.README.read_text("utf-8")
     for name, file in schema.files():
         study = None if file.parent == schema.FOLDER else file.parent

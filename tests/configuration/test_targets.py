@@ -5,8 +5,9 @@ import shutil
 
 import pytest
 from forked import snakemake
-from rocking.configuration import docs
 from rocking.configuration.targets import PAGE, ROOT, Target, render, targets
+
+from docs import write_keys as docs
 
 MARKS = "<!-- targets: {}; written -->\n<!-- end of targets -->\n"
 
@@ -26,7 +27,7 @@ def test_the_targets_are_those_of_snakemake(tmp_path):
 
 def test_every_target_is_on_the_page_with_what_its_docstring_says():
     page = PAGE.read_text("utf-8")
-    assert render(page) == page, "run python -m rocking.configuration.docs"
+    assert render(page) == page, "run python -m docs.write_keys"
     for path, text in docs.studies().items():
         for name, target in targets(study=path.parent.name).items():
             assert f"| `{name}` | {target.makes} | {target.costs} |" in text

@@ -76,8 +76,8 @@ def test_the_study_runs_and_its_page_of_keys_is_written(project):
     assert table["friction_deg"].tolist() == [30, 35, 40]
     assert table["ratio"].iloc[0] == 1.0
     assert (project / "results/new/figures/friction.png").stat().st_size > 5000
-    assert called(project, "rocking.configuration.docs", "--check").returncode == 1
-    assert called(project, "rocking.configuration.docs").returncode == 0
+    assert called(project, "docs.write_keys", "--check").returncode == 1
+    assert called(project, "docs.write_keys").returncode == 0
     keys = (project / STUDY / "keys.md").read_text("utf-8")
     assert "| `angles_deg` |" in keys
     assert "| `friction` | What friction is worth | a minute |" in keys

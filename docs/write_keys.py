@@ -2,7 +2,7 @@
 
 config/README.md says how to give values and names every key of the core; docs/keys/ has a page a
 section. A study's targets and keys stand in keys.md of its folder.
-`python -m rocking.configuration.docs --check` finds drift.
+`python -m docs.write_keys --check` finds drift.
 """
 
 import argparse
@@ -12,17 +12,15 @@ from pathlib import Path
 from rocking.configuration import schema as config_schema
 from rocking.configuration import targets
 
-README = Path(__file__).resolve().parents[3] / "config" / "README.md"
+README = Path(__file__).resolve().parents[1] / "config" / "README.md"
 EXAMPLES = README.parent / "scenarios"
 KEYS = README.parents[1] / "docs" / "keys"
-WRITTEN = (
-    "<!-- Written by `python -m rocking.configuration.docs` from workflow/schemas/; edit those. -->"
-)
+WRITTEN = "<!-- Written by `python -m docs.write_keys` from workflow/schemas/; edit those. -->"
 
 INTRO = """\
 # Configuration
 
-<!-- Written by `python -m rocking.configuration.docs` from workflow/schemas/; edit those. -->
+<!-- Written by `python -m docs.write_keys` from workflow/schemas/; edit those. -->
 
 `config/config.yaml` holds what differs from the defaults below; an empty one runs what is
 recommended: the elastic wall in courses, and a building that yields. A
@@ -196,7 +194,7 @@ def _text(value: object) -> str:
 
 def main(arguments: list[str] | None = None) -> int:
     """Write all pages, or with `--check` say which are out of date; return the exit status."""
-    parser = argparse.ArgumentParser(prog="python -m rocking.configuration.docs")
+    parser = argparse.ArgumentParser(prog="python -m docs.write_keys")
     parser.add_argument("--check", action="store_true", help="write nothing; exit 1 on drift")
     given = parser.parse_args(arguments)
     try:
@@ -217,7 +215,7 @@ def main(arguments: list[str] | None = None) -> int:
         return 0
     for page in wrong + gone:
         where = f"{page.parent.name}/{page.name}"
-        print(f"{where} is out of date; run python -m rocking.configuration.docs")
+        print(f"{where} is out of date; run python -m docs.write_keys")
     return 1 if wrong or gone else 0
 
 
