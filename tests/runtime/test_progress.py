@@ -215,7 +215,7 @@ def test_a_long_job_of_which_nothing_is_known_gets_no_time():
     """Formerly "less than a minute", for minutes: what nobody measured counted as a table."""
     machine = Forecasts([*[("table", "", 2.0)] * 5, ("strengthen", "", 600.0)], 2, {"strengthen"})
     line, _, _ = machine.said(0.05)
-    assert line.endswith("no forecast before one job has ended: strengthen")
+    assert line.endswith("no forecast before one of each has ended: strengthen")
     machine = Forecasts([("scan", "W1", 9.0)] * 90 + [("scan", "W2m", 90.0)] * 9, 2, {"scan"})
     line, _, _ = machine.said(0.1)
     assert re.search(r"at least about \d+ min left, without scan of W2m$", line)
@@ -226,7 +226,7 @@ def test_what_one_model_took_promises_nothing_of_another():
     jobs = [("ida", "W1", 6.0)] * 20 + [("ida", "W3", 30.0)] * 20
     machine = Forecasts(jobs, 2, {"ida"})
     line, _, _ = machine.said(0.05)
-    assert line.endswith("no forecast before one job has ended: ida of W3")
+    assert line.endswith("no forecast before one of each has ended: ida of W3")
     line, forecast_s, left_s = machine.said(0.4)
     assert "at least" not in line
     assert 0.5 * left_s < forecast_s < 2.0 * left_s

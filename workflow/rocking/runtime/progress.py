@@ -194,7 +194,7 @@ class Progress:
         said = f"progress: {done} of {len(self.tasks)} jobs{added}"
         what = listed([f"{rule} of {model}" if model else rule for rule, model in unknown], 2)
         if unknown and seconds < 60.0:
-            return f"{said}, no forecast before one job has ended: {what}"
+            return f"{said}, no forecast before one of each has ended: {what}"
         least = "at least " if self.overdue or unknown else ""
         beside = f", without {what}" if unknown else ""
         return f"{said}, {least}{spoken(seconds)} left{beside}"
