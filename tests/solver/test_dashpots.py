@@ -105,3 +105,11 @@ def test_what_withstands_one_direction_by_its_sums(a, b):
     block = max(a, b)
     expected = one.own[6 * block : 6 * block + 3] * (min(a, b) < 0)
     assert back[3:] == pytest.approx(expected)
+    before, back = other.own.copy(), back.copy()
+    faces.withstand_slip(*given[:4], 0.7, back, 3)
+    sums = 0.7, 0.0, 0.0
+    again = SimpleNamespace(own=np.zeros(12), between=np.zeros(9))
+    alone = np.zeros(6)
+    faces.withstand(again, *given[1:5], sums, alone, 3)
+    assert other.own - before == pytest.approx(again.own)
+    assert back[3:] == pytest.approx(expected + alone[3:])

@@ -12,7 +12,7 @@ from rocking.solver import (
     stable_step,
     to_plane,
 )
-from rocking.solver.vectors import WIDTH, put, take
+from rocking.solver.vectors import WIDTH, minus, plus, put, take
 from yade_process import resolved
 
 from tests.trials.side_by_side import differing
@@ -262,3 +262,20 @@ def test_the_law_gives_lanes_the_digits_of_one_number():
         assert [one[k] for k in (0, 1, 2, 3, 6, 7)] == found[:, i].tolist()
         kinds.add(one[4:6])
     assert len(kinds) > 1  # some slide
+
+
+@pytest.mark.parametrize("shape", [(3,), (3, WIDTH)])
+def test_a_product_is_not_rounded_before_it_is_added(shape):
+    """1 − 2⁻⁶⁰, the product of 1 + 2⁻³⁰ and 1 − 2⁻³⁰, is 1 once it is rounded."""
+    small, values = 2.0**-30, np.zeros(shape)
+    values[0], values[1] = 1.0 + small, 1.0 - small
+
+    @njit(error_model="numpy")
+    def both(rows):
+        one, other = take(rows, 0), take(rows, 1)
+        put(rows, 0, minus(1.0, one, other))
+        put(rows, 1, plus(-1.0, one, other))
+
+    both(values)
+    assert (values[0] == small**2).all()
+    assert (values[1] == -(small**2)).all()

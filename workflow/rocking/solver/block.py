@@ -6,7 +6,7 @@ from .groups import touched, untouched
 from .joints import added, reached, resultants
 from .march import TO_THE_END, Loop, advance, march_many
 from .sines import cos_sin
-from .vectors import alone, choose, like, lone, put, some, take
+from .vectors import align_stack, alone, choose, like, lone, put, some, take
 
 
 @inlined
@@ -168,6 +168,7 @@ def march_block(given, rows, scratch, every, series, weight):
 @looped
 def march_blocks(given, memory, scratch, case, motion, found):
     """Histories of a `Planar` side by side, see `march.march_many`."""
+    align_stack()
     march_many(
         (contact, accelerate, monitor, energies), given, memory, scratch, case, motion, found
     )

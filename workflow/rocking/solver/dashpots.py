@@ -5,7 +5,7 @@ These act at the velocity of the step, by matrices of 3 × 3 a block.
 
 from rocking.runtime.compiled import inlined
 
-from .vectors import choose, put, take
+from .vectors import choose, dot, less_dot, like, minus, plus, put, take
 
 
 @inlined
@@ -71,7 +71,7 @@ def resist(p, parts, a, b, dashpots):
 def turned(turn, block, arm):
     """A direction or arm that turns with a block."""
     cos, sin = take(turn, 2 * block), take(turn, 2 * block + 1)
-    return cos * arm[0] - sin * arm[1], sin * arm[0] + cos * arm[1]
+    return minus(cos * arm[0], sin, arm[1]), plus(sin * arm[0], cos, arm[1])
 
 
 @inlined
@@ -94,10 +94,10 @@ def rates(parts, block, arm, past_s):
     (ay, az), at = arm, 3 * block
     spin, turn = take(parts.now, at + 2), take(parts.rate, at + 2)
     return (
-        take(parts.now, at) - spin * az,
-        take(parts.now, at + 1) + spin * ay,
-        past_s * (take(parts.rate, at) - turn * az),
-        past_s * (take(parts.rate, at + 1) + turn * ay),
+        minus(take(parts.now, at), spin, az),
+        plus(take(parts.now, at + 1), spin, ay),
+        past_s * minus(take(parts.rate, at), turn, az),
+        past_s * plus(take(parts.rate, at + 1), turn, ay),
     )
 
 
@@ -106,9 +106,10 @@ def apart(parts, block, arm, past_s, own):
     """Such rates of another point, less those of the block's."""
     (by, bz), at, (ry, rz, gy, gz) = arm, 3 * block, own
     spin, turn = take(parts.now, at + 2), take(parts.rate, at + 2)
-    ry, rz = ry - take(parts.now, at) + spin * bz, rz - take(parts.now, at + 1) - spin * by
-    gy -= past_s * (take(parts.rate, at) - turn * bz)
-    return ry, rz, gy, gz - past_s * (take(parts.rate, at + 1) + turn * by)
+    ry, rz = ry - take(parts.now, at), rz - take(parts.now, at + 1)
+    gy = minus(gy, past_s, minus(take(parts.rate, at), turn, bz))
+    gz = minus(gz, past_s, plus(take(parts.rate, at + 1), turn, by))
+    return plus(ry, spin, bz), minus(rz, spin, by), gy, gz
 
 
 @inlined
@@ -117,22 +118,52 @@ def push(rows, block, sign, force, arm, couple_n_m=-0.0):
     (fy, fz), (ay, az), at = force, arm, 3 * block
     put(rows, at, take(rows, at) + sign * fy)
     put(rows, at + 1, take(rows, at + 1) + sign * fz)
-    put(rows, at + 2, take(rows, at + 2) + sign * (ay * fz - az * fy + couple_n_m))
+    put(rows, at + 2, take(rows, at + 2) + sign * plus(minus(couple_n_m, az, fy), ay, fz))
 
 
 @inlined
-def _three(rows, first, stride):
+def three(rows, first, stride):
     """Three rows, so far from each other."""
     return take(rows, first), take(rows, first + stride), take(rows, first + 2 * stride)
 
 
 @inlined
-def _times(row, inverse, low):
-    """A row times the inverse of a block's matrix, in nine rows from `low` on."""
-    y, z, turn = row
-    (a, b, c), (d, e, f) = _three(inverse, low, 1), _three(inverse, low + 3, 1)
-    g, h, i = _three(inverse, low + 6, 1)
-    return y * a + z * d + turn * g, y * b + z * e + turn * h, y * c + z * f + turn * i
+def _applied(matrix, vector):
+    """A symmetric matrix, by its entries 00, 01, 02, 11, 12, 22, times a vector."""
+    a, b, c, d, e, f = matrix
+    return dot((a, b, c), vector), dot((b, d, e), vector), dot((c, e, f), vector)
+
+
+@inlined
+def _inverse(matrix):
+    """Inverse of such a matrix."""
+    a, b, c, d, e, f = matrix
+    aa, bb, cc = minus(d * f, e, e), minus(c * e, b, f), minus(b * e, c, d)
+    over = 1.0 / dot((a, b, c), (aa, bb, cc))
+    dd, ee, ff = minus(a * f, c, c), minus(b * c, a, e), minus(a * d, b, b)
+    return over * aa, over * bb, over * cc, over * dd, over * ee, over * ff
+
+
+@inlined
+def _without(block, other, columns):
+    """Matrix and force of a block once the one before it, by inverse and force, is eliminated.
+
+    `columns`: of what joins that one to this.
+    """
+    (a, b, c, d, e, f), (f0, f1, f2) = block
+    (inverse, under), (first, second, third) = other, columns
+    y, z, turn = _applied(inverse, first), _applied(inverse, second), _applied(inverse, third)
+    force = less_dot(f0, y, under), less_dot(f1, z, under), less_dot(f2, turn, under)
+    a, b, c = less_dot(a, y, first), less_dot(b, y, second), less_dot(c, y, third)
+    matrix = a, b, c, less_dot(d, z, second), less_dot(e, z, third), less_dot(f, turn, third)
+    return matrix, force
+
+
+@inlined
+def _keep(rows, first, values):
+    """Write some values into rows from one on."""
+    for m in range(len(values)):
+        put(rows, first + m, values[m])
 
 
 @inlined
@@ -140,42 +171,30 @@ def solve_row(own, between, inverse, mass, inertia, force):
     """Solve (M + C)·a = f of blocks in a row in place, by blocks of 3 from the first to the last.
 
     C by `own`, six rows a block, and `between`, nine that join each block to the next; `inverse`:
-    room for nine rows a block.
+    room for six rows a block.
     """
-    blocks = mass.size
-    for i in range(blocks):
-        at, to, low = 3 * i, 6 * i, 9 * (i - 1)
-        a, b, c = mass[i] + take(own, to), take(own, to + 1), take(own, to + 2)
-        d, e = mass[i] + take(own, to + 3), take(own, to + 4)
-        f = inertia[i] + take(own, to + 5)
+    last = mass.size - 1
+    none = like(0.0, take(force, 0))
+    solved_to = (none, none, none, none, none, none), (none, none, none)
+    for i in range(last + 1):
+        to, low = 6 * i, 9 * (i - 1)
+        (c00, c01, c02), (c11, c12, c22) = three(own, to, 1), three(own, to + 3, 1)
+        matrix = mass[i] + c00, c01, c02, mass[i] + c11, c12, inertia[i] + c22
+        block = matrix, three(force, 3 * i, 1)
         if i > 0:
-            y = _times(_three(between, low, 3), inverse, low)
-            z = _times(_three(between, low + 1, 3), inverse, low)
-            turn = _times(_three(between, low + 2, 3), inverse, low)
-            f0, f1, f2 = _three(force, at - 3, 1)
-            for m, back in enumerate((y, z, turn)):
-                less = take(force, at + m) - back[0] * f0 - back[1] * f1 - back[2] * f2
-                put(force, at + m, less)
-            for r in range(3):
-                b0, b1, b2 = _three(between, low + 3 * r, 1)
-                a, b, c = a - y[r] * b0, b - y[r] * b1, c - y[r] * b2
-                d, e, f = d - z[r] * b1, e - z[r] * b2, f - turn[r] * b2
-        over = 1.0 / (a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d))
-        put(inverse, 9 * i, over * (d * f - e * e))
-        put(inverse, 9 * i + 4, over * (a * f - c * c))
-        put(inverse, 9 * i + 8, over * (a * d - b * b))
-        one, other, last = over * (c * e - b * f), over * (b * e - c * d), over * (b * c - a * e)
-        for m, n, value in ((0, 1, one), (0, 2, other), (1, 2, last)):
-            put(inverse, 9 * i + 3 * m + n, value)
-            put(inverse, 9 * i + 3 * n + m, value)
-    for i in range(blocks - 1, -1, -1):
-        at = 3 * i
-        if i < blocks - 1:
-            for m in range(3):
-                for n in range(3):
-                    less = take(between, 9 * i + 3 * m + n) * take(force, at + 3 + n)
-                    put(force, at + m, take(force, at + m) - less)
-        f0, f1, f2 = _three(force, at, 1)
-        for m in range(3):
-            i0, i1, i2 = _three(inverse, 9 * i + 3 * m, 1)
-            put(force, at + m, i0 * f0 + i1 * f1 + i2 * f2)
+            columns = three(between, low, 3), three(between, low + 1, 3), three(between, low + 2, 3)
+            block = _without(block, solved_to, columns)
+        solved_to = _inverse(block[0]), block[1]
+        _keep(inverse, to, solved_to[0])
+        _keep(force, 3 * i, solved_to[1])
+    beside = _applied(*solved_to)
+    _keep(force, 3 * last, beside)
+    for i in range(last - 1, -1, -1):
+        at = 9 * i
+        f0, f1, f2 = three(force, 3 * i, 1)
+        f0 = less_dot(f0, three(between, at, 1), beside)
+        f1 = less_dot(f1, three(between, at + 3, 1), beside)
+        f2 = less_dot(f2, three(between, at + 6, 1), beside)
+        own_inverse = *three(inverse, 6 * i, 1), *three(inverse, 6 * i + 3, 1)
+        beside = _applied(own_inverse, (f0, f1, f2))
+        _keep(force, 3 * i, beside)

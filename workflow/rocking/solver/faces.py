@@ -8,7 +8,7 @@ from rocking.runtime.compiled import inlined
 
 from .dashpots import apart, beyond, placed, push, rates, turned
 from .joints import added
-from .vectors import alone, choose, like, put, take
+from .vectors import alone, choose, like, minus, plus, put, take
 
 
 @inlined
@@ -34,7 +34,7 @@ def met(p, joints, i, parts, alive):
     if b >= 0:
         ny, nz = turned(parts.turn, b, (ny, nz))
         by, bz = beyond(p, parts, b, py, pz)
-    d0, d1 = joints.level_m[i] - ny * by - nz * bz, -(ny * ey + nz * ez)
+    d0, d1 = minus(minus(joints.level_m[i], ny, by), nz, bz), -plus(ny * ey, nz, ez)
     if not alone(d0):
         d0, d1 = choose(alive, d0, -1.0), choose(alive, d1, 0.0)
     return (a, b, j), ((ry, rz), (by, bz)), (ny, nz), (ey, ez), (d0, d1)
@@ -60,10 +60,10 @@ def moving(parts, ends, arms, normal, along, past_s):
         turn = turn - past_s * take(parts.rate, 3 * b + 2)
     else:
         vy, uy = vy - take(supports.vy, j), uy - take(supports.dy, j)
-    across, within = nz * ey - ny * ez, tz * ey - ty * ez
-    q0, q1 = -(ny * vy + nz * vz), -spin * across
-    s0, s1 = ty * vy + tz * vz, spin * within
-    g0, g1 = ty * uy + tz * uz, turn * within
+    across, within = minus(nz * ey, ny, ez), minus(tz * ey, ty, ez)
+    q0, q1 = -plus(ny * vy, nz, vz), -spin * across
+    s0, s1 = plus(ty * vy, tz, vz), spin * within
+    g0, g1 = plus(ty * uy, tz, uz), turn * within
     return (across, within), (q0, q1, s0, s1, g0, g1)
 
 
@@ -74,7 +74,7 @@ def act(parts, ends, arms, normal, force, couple_n_m):
     A support takes what is along y; `couple_n_m` is about that origin.
     """
     (a, b, j), (ny, nz), (across, along), supports = ends, normal, force, parts.supports
-    fy, fz = ny * across + nz * along, nz * across - ny * along
+    fy, fz = plus(ny * across, nz, along), minus(nz * across, ny, along)
     if a >= 0:
         push(parts.force, a, 1.0, (fy, fz), arms[0], couple_n_m)
     else:
@@ -110,7 +110,7 @@ def _coupled(between, low, directions, sums, size):
 
 
 @inlined
-def withstand(parts, ends, arms, direction, more, sums, back, row, also=False):
+def withstand(parts, ends, arms, direction, more, sums, back, row):
     """Add what resists rates of the faces along one direction to blocks and between them.
 
     Parameters
@@ -123,32 +123,66 @@ def withstand(parts, ends, arms, direction, more, sums, back, row, also=False):
         What an arm along the line has along it, of `moving`.
     sums : tuple of 3 numbers
         Σ dashpot·(1, s, s²) along the line.
-    back, row, also
-        Of a joint with a support three rows from that one on get, or are added, what rates of its
-        block do to the force along y.
+    back, row
+        Of a joint with a support three rows from that one on get what rates of its block do to the
+        force along y.
     """
-    (a, b, _), (y, z), (k0, k1, k2) = ends, direction, sums
-    lever_a, lever_b = z * arms[0][0] - y * arms[0][1], z * arms[1][0] - y * arms[1][1]
-    of_a, of_b = lever_a * k0 + more * k1, lever_b * k0 + more * k1
-    spread = more * (k1 * lever_a + more * k2), more * (k1 * lever_b + more * k2)
-    yy, yz, zz = y * y * k0, y * z * k0, z * z * k0
-    for end in range(2):
-        block, mine = (a, b)[end], (of_a, of_b)[end]
-        if block >= 0:
-            turning = (lever_a, lever_b)[end] * mine + spread[end]
-            entries = yy, yz, y * mine, zz, z * mine, turning
-            for m, value in enumerate(entries):
-                put(parts.own, 6 * block + m, take(parts.own, 6 * block + m) + value)
-    if a >= 0 and b >= 0:
-        low, of_low, of_high = (a, of_a, of_b) if a < b else (b, of_b, of_a)
-        both = lever_b * of_a + spread[0]
-        couplings = yy, yz, y * of_high, yz, zz, z * of_high, of_low * y, of_low * z, both
-        for m, value in enumerate(couplings):
-            put(parts.between, 9 * low + m, take(parts.between, 9 * low + m) - value)
-    else:
+    (y, z), (k0, k1, k2) = direction, sums
+    lever_a, lever_b = _levers(arms, direction)
+    turned, twice = more * k1, more * (more * k2)
+    of_a, of_b = plus(turned, lever_a, k0), plus(turned, lever_b, k0)
+    spread = plus(twice, turned, lever_a), plus(twice, turned, lever_b)
+    _resist(parts, ends, (y, z), k0, (lever_a, lever_b), (of_a, of_b), spread)
+    a, b, _ = ends
+    if a < 0 or b < 0:
         mine = of_a if a >= 0 else of_b
-        for m, value in enumerate((yy, yz, y * mine)):
-            put(back, row + m, take(back, row + m) + value if also else value)
+        for m, value in enumerate((y * (y * k0), y * (z * k0), y * mine)):
+            put(back, row + m, value)
+
+
+@inlined
+def withstand_slip(parts, ends, arms, direction, k0, back, row):
+    """The same, added to `back`, of what resists the slip of a line all along in one way."""
+    (y, z), (a, b, _), none = direction, ends, like(0.0, k0)
+    lever_a, lever_b = _levers(arms, direction)
+    of_a, of_b = lever_a * k0, lever_b * k0
+    _resist(parts, ends, (y, z), k0, (lever_a, lever_b), (of_a, of_b), (none, none))
+    if a < 0 or b < 0:
+        mine = of_a if a >= 0 else of_b
+        for m, value in enumerate((y * k0, z * k0, mine)):
+            put(back, row + m, plus(take(back, row + m), y, value))
+
+
+@inlined
+def _levers(arms, direction):
+    """What the arms of a joint's origin from the centroids of a and b have across a direction."""
+    (y, z), ((ay, az), (by, bz)) = direction, arms
+    return minus(z * ay, y, az), minus(z * by, y, bz)
+
+
+@inlined
+def _resist(parts, ends, direction, k0, levers, moments, spread):
+    """Add a joint's dashpots along a direction to those of its blocks and between them."""
+    (a, b, _), (y, z) = ends, direction
+    yk, zk = y * k0, z * k0
+    for end in range(2):
+        block, mine = (a, b)[end], moments[end]
+        if block >= 0:
+            own, at = parts.own, 6 * block
+            put(own, at, plus(take(own, at), y, yk))
+            put(own, at + 1, plus(take(own, at + 1), y, zk))
+            put(own, at + 2, plus(take(own, at + 2), y, mine))
+            put(own, at + 3, plus(take(own, at + 3), z, zk))
+            put(own, at + 4, plus(take(own, at + 4), z, mine))
+            put(own, at + 5, plus(take(own, at + 5) + spread[end], levers[end], mine))
+    if a >= 0 and b >= 0:
+        low, of_low, of_high = (a, *moments) if a < b else (b, moments[1], moments[0])
+        between, at = parts.between, 9 * low
+        of_y, of_z = ((y, yk), (y, zk), (y, of_high)), ((z, yk), (z, zk), (z, of_high))
+        for m, (one, other) in enumerate((*of_y, *of_z, (of_low, y), (of_low, z))):
+            put(between, at + m, minus(take(between, at + m), one, other))
+        rest = take(between, at + 8) - spread[0]
+        put(between, at + 8, minus(rest, levers[1], moments[0]))
 
 
 @inlined

@@ -20,12 +20,13 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined
 
-from .faces import act, met, moving, withstand
+from .faces import act, met, moving, withstand, withstand_slip
 from .groups import law_of
 from .rubbing import COUNTED, DEPTH, HIGH, LOW, MEMORY, PARTS, SOME, WHOLE, rubbed
-from .vectors import choose, every, like, put, some, take
+from .vectors import choose, every, like, minus, plus, put, some, take
 
 SIDE = 0.5 / math.sqrt(3.0)  # two springs there have the moments of an even line of length 1
+TWELFTH = 1.0 / 12.0  # a division is dear
 SURE = 1.0 + 1e-9  # times what a line's end adds: all of it is open or shut, whatever rounding does
 
 
@@ -219,7 +220,7 @@ def press(p, parts, rows, back, time, alive, counts):
             _open(rows, first, shut, (d0, d1), back, 3 * i)
             continue
         turns, (q0, q1, _, _, g0, g1) = moving(parts, ends, arms, direction, along, past)
-        h0, h1 = d0 + beta * q0, d1 + beta * q1
+        h0, h1 = plus(d0, beta, q0), plus(d1, beta, q1)
         low, high = _reach(h0, h1, *shut)
         length = max(high - low, 0.0)
         was = take(rows, first + LOW), take(rows, first + HIGH)
@@ -232,10 +233,10 @@ def press(p, parts, rows, back, time, alive, counts):
             continue
         for m, value in enumerate((low, high, d0, d1)):
             put(rows, first + m, value)
-        middle, second = 0.5 * (low + high), length * length / 12.0
-        mean = max(h0 + h1 * middle, 0.0)
+        middle, second = 0.5 * (low + high), TWELFTH * (length * length)
+        mean = max(plus(h0, h1, middle), 0.0)
         normal = length * mean
-        moment = length * (mean * middle + h1 * second)
+        moment = length * plus(mean * middle, h1, second)
         law, reach = (ratio, friction, p.lead > 0.0), (low, high, was[0], was[1])
         moves = (h0, h1), (g0, g1), (d0, d1), before
         shear, turned, stuck, grip, loss = rubbed(
@@ -247,15 +248,14 @@ def press(p, parts, rows, back, time, alive, counts):
         if some(abs(more) > 0.0):
             counted = choose(normal > 0.0, whole / choose(normal > 0.0, normal, 1.0), counted)
         force = k * whole, k * counted * shear
-        couple = k * (turns[0] * (moment + more_moment) - turns[1] * counted * turned)
+        couple = k * minus(turns[0] * (moment + more_moment), turns[1], counted * turned)
         act(parts, ends, arms, direction, force, couple)
         dashpot = (p.late * beta + p.lead * dt) * k * counted * length
-        sums = dashpot, dashpot * middle, dashpot * (middle * middle + second)
+        sums = dashpot, dashpot * middle, dashpot * plus(second, middle, middle)
         withstand(parts, ends, arms, direction, turns[0], sums, back, 3 * i)
         if p.lead > 0.0:
             spring, (ny, nz) = p.lead * dt * k * ratio * stuck, direction
-            sums = spring, 0.0 * spring, 0.0 * spring
-            withstand(parts, ends, arms, (-nz, ny), turns[1], sums, back, 3 * i, True)
+            withstand_slip(parts, ends, arms, (-nz, ny), spring, back, 3 * i)
         if counts:
             put(rows, first + COUNTED, counted)
             elastic += _stored(k, (d0, d1), shut)[0] + 0.5 * k * ratio * grip

@@ -38,7 +38,7 @@ from .vectors import WIDTH, alone, choose, like, lone, put, put_where, rows_of_l
 # step at which the history ends and after which its motion has; whether it goes on, outcome, end
 MOVED, FACTOR, MOTION, QUIET, FASTEST, LIMIT, LAST, ALIVE, STATUS, END, HISTORY = range(11)
 TO_THE_END = 0, np.iinfo(np.int64).max
-SCRATCH = 35  # rows a block
+SCRATCH = 32  # rows a block
 
 
 class Parts(NamedTuple):
@@ -57,7 +57,7 @@ class Parts(NamedTuple):
     own: np.ndarray  # six: its dashpots by their entries 00, 01, 02, 11, 12, 22
     push: np.ndarray  # three: what ties and floors do
     between: np.ndarray  # nine: dashpots between it and the next
-    inverse: np.ndarray  # nine: inverse of its matrix
+    inverse: np.ndarray  # six: inverse of its matrix, by such entries
     most: np.ndarray  # largest |d| of each span
 
 

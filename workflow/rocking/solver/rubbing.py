@@ -10,7 +10,7 @@ by all of it, every impact would have an error of first order.
 
 from rocking.runtime.compiled import inlined
 
-from .vectors import choose, every, like, put, put_where, some, take
+from .vectors import choose, every, like, plus, put, put_where, some, take
 
 PARTS = 32  # in so many parts friction is told along a line, at most
 SOME = 8  # parts beside each other, which are passed over at once where none is pressed
@@ -98,7 +98,7 @@ def rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
     if some(holds):
         put_where(rows, first + SINCE, holds, since)
         length, sum_ = 2.0 * half, take(rows, first + SUM)
-        shear = choose(holds, ratio * (sum_ + since * length), none)
+        shear = choose(holds, ratio * plus(sum_, since, length), none)
         stuck = choose(holds, length, none)
         if counts:
             grip = take(rows, first + SQUARES) + since * (2.0 * sum_ + since * length)
@@ -136,8 +136,8 @@ def _going(lines, i, rows, first, group, moves, law, acts, counts):
     low, high = lines.edge_m[i, begin], lines.edge_m[i, begin + SOME]
     together = take(rows, at + TOGETHER) > 0.0
     slip, turn = take(rows, at + STEP) + step, take(rows, at + TURN) + more
-    least = friction * max(min(h0 + h1 * low, h0 + h1 * high), 0.0)
-    top = take(rows, at + LARGEST) + (abs(slip) + abs(turn) * max(-low, high))
+    least = friction * max(min(plus(h0, h1, low), plus(h0, h1, high)), 0.0)
+    top = take(rows, at + LARGEST) + plus(abs(slip), abs(turn), max(-low, high))
     going = together & full & (ratio * top <= least)
     parts = each & together & ~going
     if some(parts):
@@ -146,8 +146,8 @@ def _going(lines, i, rows, first, group, moves, law, acts, counts):
     put_where(rows, at + STEP, going, slip)
     put_where(rows, at + TURN, going, turn)
     sums, firsts = take(rows, at + SUMS), take(rows, at + FIRST)
-    stored = sums + (slip * length + turn * moment)
-    about = firsts + (slip * moment + turn * second)
+    stored = plus(plus(sums, slip, length), turn, moment)
+    about = plus(plus(firsts, slip, moment), turn, second)
     squares = like(0.0, h0)
     if counts:
         squares = slip * (2.0 * sums + (slip * length + 2.0 * turn * moment))
@@ -215,8 +215,8 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
                 if counts:
                     loss -= 0.5 * ratio * share * had * had
             middle = 0.5 * (start + stop)
-            most = friction * max(h0 + h1 * middle, 0.0)
-            moved = step + more * middle
+            most = friction * max(plus(h0, h1, middle), 0.0)
+            moved = plus(step, more, middle)
             if grows:
                 moved = moved * (kept + (1.0 - kept) * _closed(now, then, middle, kept > 0.0))
             slip = had + moved
@@ -225,12 +225,14 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
             sticks = abs(held) <= most
             slides = shut & ~sticks
             slip, slid = choose(slides, over * force, slip), slid | slides
-            shear += share * force
-            first_moment += share * force * middle
+            of_part = share * force
+            shear += of_part
+            first_moment = plus(first_moment, of_part, middle)
             if may_join:
                 most_here = max(most_here, choose(shut, abs(slip), 0.0))
-                sums += share * slip
-                firsts += share * slip * middle
+                of_part = share * slip
+                sums += of_part
+                firsts = plus(firsts, of_part, middle)
             if wanted:
                 stuck += choose(sticks, share, 0.0)
             # what is not pressed has a slip that counts for nothing once it is again
@@ -240,7 +242,7 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
                 mean = 0.5 * (most + min(ratio * abs(had), abs(held)))
                 loss += choose(sticks, 0.0, share * mean * abs(held - force) / ratio)
         grip, stored, top = grip + squares, stored + sums, max(top, most_here)
-        least = friction * max(min(h0 + h1 * low_edge, h0 + h1 * high_edge), 0.0)
+        least = friction * max(min(plus(h0, h1, low_edge), plus(h0, h1, high_edge)), 0.0)
         joins = mine & whole & ~slid & (2.0 * ratio * most_here < least)
         if some(joins):
             put_where(rows, of_group + TOGETHER, joins, 1.0)

@@ -12,12 +12,12 @@ import numpy as np
 from rocking.runtime.compiled import inlined, looped
 
 from . import lines, pieces
-from .dashpots import apart, beyond, placed, push, rates, resist, solve_row, solved, turned
+from .dashpots import apart, beyond, placed, push, rates, resist, solve_row, solved, three, turned
 from .groups import untouched
 from .law import bond_breaks, node, released
 from .march import TO_THE_END, Loop, advance, march_many
 from .sines import cos_sin
-from .vectors import alone, choose, like, lone, put, put_where, some, take
+from .vectors import align_stack, alone, choose, dot, like, lone, plus, put, put_where, some, take
 
 OPEN, CLOSED, HOLDS, GONE = 0.0, 1.0, 2.0, 3.0  # states of a node
 
@@ -60,7 +60,7 @@ def _predict(p, parts, time, alive):
     half, _, dt = time
     ahead = half * (1.0 - 2.0 * p.lead)  # led, rates that swing from step to step open joints
     for m in range(len(parts.place)):
-        put(parts.now, m, take(parts.rate, m) + ahead * take(parts.rise, m))
+        put(parts.now, m, plus(take(parts.rate, m), ahead, take(parts.rise, m)))
         put(parts.force, m, 0.0)
     for block in range(p.mass_kg.size):
         j, y = p.guide[block], 3 * block
@@ -279,41 +279,43 @@ def accelerate(p, parts, half, ag, gravity):
     chained = len(parts.ride.u) > 0
     if chained:
         _answer(p, parts, nodes.held, -half * before)
-    for row in range(len(own)):
-        put(own, row, take(own, row) * half)
     for i in range(p.mass_kg.size):
         at, to = 3 * i, 6 * i
         mass, inertia = p.mass_kg[i], p.inertia_kg_m2[i]
         y, z = before * take(rise, at), before * take(rise, at + 1)
         turn = before * take(rise, at + 2)
-        c00, c01, c02 = take(own, to), take(own, to + 1), take(own, to + 2)
-        c11, c12, c22 = take(own, to + 3), take(own, to + 4), take(own, to + 5)
+        c00, c01, c02 = half * take(own, to), half * take(own, to + 1), half * take(own, to + 2)
+        c11, c12 = half * take(own, to + 3), half * take(own, to + 4)
+        c22 = half * take(own, to + 5)
+        dashpots, was = (c00, c01, c02, c11, c12, c22), (y, z, turn)
         bars = take(parts.push, at), take(parts.push, at + 1), take(parts.push, at + 2)
-        fy = take(force, at) + (bars[0] + c00 * y + c01 * z + c02 * turn) - mass * ag
-        fz = take(force, at + 1) + (bars[1] + c01 * y + c11 * z + c12 * turn) - mass * gravity
-        moment = take(force, at + 2) + (bars[2] + c02 * y + c12 * z + c22 * turn)
+        fy = take(force, at) + (bars[0] + dot((c00, c01, c02), was)) - mass * ag
+        fz = take(force, at + 1) + (bars[1] + dot((c01, c11, c12), was)) - mass * gravity
+        moment = take(force, at + 2) + (bars[2] + dot((c02, c12, c22), was))
         if not p.in_row:
             goes = take(nodes.goes, i) > 0.0
             free = goes & p.free[i, 0], goes & p.free[i, 1], goes & p.free[i, 2]
-            dashpots = c00, c01, c02, c11, c12, c22
-            y, z, turn = solved(dashpots, mass, inertia, free, (fy, fz, moment))
-            put(rise, at, y)
-            put(rise, at + 1, z)
-            put(rise, at + 2, turn)
-        else:
-            put(force, at, fy)
-            put(force, at + 1, fz)
-            put(force, at + 2, moment)
-    if p.in_row:
-        for i in range(p.mass_kg.size - 1):
+            found = solved(dashpots, mass, inertia, free, (fy, fz, moment))
             for m in range(3):
-                for n in range(3):
-                    at, one, other = 9 * i + 3 * m + n, 3 * i + m, 3 * i + 3 + n
-                    c = take(parts.between, at) * half
-                    put(parts.between, at, c)
-                    put(force, one, take(force, one) + before * c * take(rise, other))
-                    put(force, other, take(force, other) + before * c * take(rise, one))
-        solve_row(own, parts.between, parts.inverse, p.mass_kg, p.inertia_kg_m2, force)
+                put(rise, at + m, found[m])
+        else:
+            for m in range(3):
+                put(rise, at + m, was[m])
+                put(force, at + m, (fy, fz, moment)[m])
+            for m in range(6):
+                put(own, to + m, dashpots[m])
+    if p.in_row:
+        between = parts.between
+        for i in range(p.mass_kg.size - 1):
+            low, high, at = 3 * i, 3 * i + 3, 9 * i
+            lower, higher = three(rise, low, 1), three(rise, high, 1)
+            for m in range(9):
+                put(between, at + m, half * take(between, at + m))
+            for m in range(3):
+                row, column = three(between, at + 3 * m, 1), three(between, at + m, 3)
+                put(force, low + m, take(force, low + m) + dot(row, higher))
+                put(force, high + m, take(force, high + m) + dot(column, lower))
+        solve_row(own, between, parts.inverse, p.mass_kg, p.inertia_kg_m2, force)
         for row in range(len(force)):
             put(rise, row, take(force, row))
     if chained:
@@ -367,6 +369,7 @@ def march_stack(given, rows, scratch, every, series, weight):
 @looped
 def march_stacks(given, memory, scratch, case, motion, found):
     """Histories of a `Stack` side by side, see `march.march_many`."""
+    align_stack()
     what = contact, accelerate, monitor, energies
     march_many(what, given, memory, scratch, case, motion, found)
 

@@ -2,8 +2,8 @@
 
 Code that keeps to arithmetic, comparisons, `min`, `max`, `abs`, some of `math` and the functions
 below stands for one number and for `WIDTH` of them alike, with the same digits: each operation is
-that of a single number, nothing is fused or summed across. Its memory has rows: of one number each
-in an array of one dimension, of `WIDTH` in one of shape (rows, WIDTH).
+that of a single number, fused are `plus` and `minus` alone, nothing is summed across. Its memory
+has rows: of one number each in an array of one dimension, of `WIDTH` in one of shape (rows, WIDTH).
 """
 
 import math
@@ -198,6 +198,63 @@ def _of_choice(context, mask, yes, no):
 def choose(mask, yes, no):
     """`yes` where the mask is true, else `no`; both are computed."""
     return yes if mask else no
+
+
+def _of_product(context, number, one, other):
+    wide = any(isinstance(kind, Lanes) for kind in (number, one, other))
+    return (LANES if wide else types.float64,) * 4
+
+
+def _fused(negate):
+    """Emit number ± one·other, which is rounded once."""
+
+    def emit(context, builder, sig, number, one, other):
+        kind = number.type
+        name = f"llvm.fma.v{WIDTH}f64" if isinstance(kind, ir.VectorType) else "llvm.fma.f64"
+        fused = ir.FunctionType(kind, [kind] * 3)
+        one = builder.fneg(one) if negate else one
+        found = cgutils.get_or_insert_function(builder.module, fused, name)
+        return builder.call(found, (one, other, number))
+
+    return emit
+
+
+@_emitted(_of_product, _fused(False))
+def plus(number, one, other):
+    """number + one·other, rounded once: one operation where the processor has it."""
+    return number + one * other
+
+
+@_emitted(_of_product, _fused(True))
+def minus(number, one, other):
+    """number − one·other, rounded once."""
+    return number - one * other
+
+
+@inlined
+def dot(row, column):
+    """Sum of products of three numbers each."""
+    return plus(plus(row[0] * column[0], row[1], column[1]), row[2], column[2])
+
+
+@inlined
+def less_dot(number, row, column):
+    """A number less the sum of products of three numbers each."""
+    rest = minus(minus(number, row[0], column[0]), row[1], column[1])
+    return minus(rest, row[2], column[2])
+
+
+def _stack_in_lines(context, builder, sig):
+    builder.function.attributes.alignstack = 8 * WIDTH
+    return context.get_dummy_value()
+
+
+@_emitted(lambda context: (types.none,), _stack_in_lines)
+def align_stack():
+    """Let lanes that the function it stands in keeps on its stack begin a line of the cache.
+
+    Elsewhere most of them would lie across two lines, which costs a step of courses up to a tenth.
+    """
 
 
 def _bits(sign, bits):
