@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from rocking import Motion
 from rocking.collapse import scan
-from rocking.collapse.curve import run_by
+from rocking.collapse.building import DRIFT, FELL
+from rocking.collapse.curve import collapse_curves, run_by
 from rocking.collapse.scan import together
 from rocking.solver import runs
 from rocking.solver.motions import Motions
@@ -69,6 +70,17 @@ def test_behind_a_building_that_yields_outcomes_are_those_of_whole_histories(mod
     elastic = outcomes(model, pulses(1.4), True, base_shear_ratio=None)[1]
     assert np.all(end_s >= elastic + 2.9)
     assert np.all(outcomes("W1", pulses(0.0), True, **strength)[1] < 12.0)
+
+
+def test_a_brief_curve_asks_nothing_of_the_building_alone():
+    """Its storeys' drifts take a seventh of such curves' time, and a climb reads none of them."""
+    case = study_case("W2", {"damping": DAMPING, **BUILDING, "smdof": {"base_shear_ratio": 0.2}})
+    how = {"search": "list", "settings": {"pga_g": [0.1, 0.2]}, "fraction": 0.3}
+    (whole,) = collapse_curves(case, [(pulses(0.5), "pos")], **how)
+    (brief,) = collapse_curves(case, [(pulses(0.5), "pos")], brief=True, **how)
+    assert {DRIFT, FELL} <= set(whole.table)
+    assert not {DRIFT, FELL} & set(brief.table)
+    assert list(brief.table["status"]) == list(whole.table["status"])
 
 
 def test_a_history_goes_on_while_what_carries_the_supports_still_moves():

@@ -203,7 +203,8 @@ def collapse_curves(
     Returns
     -------
     list of Curve
-        With the same outcomes as one after the other; `wall_s` is each one's share of the time.
+        With the same outcomes as one after the other; `wall_s` is each one's share of the time. Of
+        brief histories (`scan.Screen`) without the building's drifts.
     """
     began = time.monotonic()
     several = [settings] * len(shaken)
@@ -220,8 +221,9 @@ def collapse_curves(
     ]
     seen = seen_together(searches)
     each_s = (time.monotonic() - began) / max(len(shaken), 1)
+    told = not options.get("brief")
     return [
-        _curve(case, one, what, own, each_s)
+        _curve(case, one, what, own, each_s, told)
         for one, what, own in zip(shaken, seen, given, strict=True)
     ]
 
@@ -232,9 +234,11 @@ def _settings(case, settings, search, **other):
     return given | _known(settings or {}, given, search)
 
 
-def _curve(case, shaken, seen, given, wall_s):
+def _curve(case, shaken, seen, given, wall_s, told=True):
+    """The curve of what a search has seen, with the building's drifts where they are `told`."""
     (motion, direction), (table, found), spread = shaken, seen, given["amplitude_spread"]
-    table = building.with_building(table, case, motion, direction)
+    if told:
+        table = building.with_building(table, case, motion, direction)
     return Curve(case.model, motion.name, direction, table, spread, found, wall_s)
 
 
