@@ -216,3 +216,19 @@ def test_a_quoted_value_between_marks_ends_them(mark):
 @pytest.mark.parametrize("name", NOT_WRITTEN)
 def test_the_check_of_commands_wants_them_in_plain_text(name):
     assert commands(NOT_WRITTEN[name]) == [None]
+
+
+SCRIPTS = [
+    path
+    for path in sorted((*SOURCES, *(ROOT / "tests" / "trials").rglob("*.py")))
+    if '__name__ == "__main__"' in path.read_text("utf-8")
+]
+
+
+@pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: str(path.relative_to(ROOT)))
+def test_a_script_finds_the_tests_that_it_takes_from(path):
+    """A script has its own folder on the path, and `tests` is no package that is installed."""
+    lines = path.read_text("utf-8").splitlines()
+    takes = [k for k, line in enumerate(lines) if re.match(r"(from|import) tests\b", line)]
+    finds = [k for k, line in enumerate(lines) if "sys.path" in line]
+    assert not takes or finds and finds[0] < takes[0]

@@ -21,6 +21,7 @@ and differ by more than 0.5 %, with so many nodes along every edge.
 
 import argparse
 import math
+import sys
 import time
 from pathlib import Path
 
@@ -32,6 +33,8 @@ from rocking.collapse.plan import BELOW
 from rocking.collapse.probability import from_scan
 from rocking.records import read_table
 from rocking.tables import write_table
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 
 from tests.trials.safe_amplitudes import beneath, dense
 from tests.trials.steps import SUITE, reporting

@@ -21,6 +21,7 @@ Rows that `--output` holds are not run again.
 
 import argparse
 import math
+import sys
 import time
 from pathlib import Path
 
@@ -32,9 +33,12 @@ from rocking.collapse.crossing import first_crossing
 from rocking.collapse.curve import run_by
 from rocking.tables import write_table
 
+from yade_scripts.model.storeys import LAWS, chain_of, largest_drift
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
+
 from tests.trials.safe_amplitudes import beneath, dense
 from tests.trials.steps import SUITE, reporting
-from yade_scripts.model.storeys import LAWS, chain_of, largest_drift
 
 SEED = 6707
 COARSE = np.geomspace(0.05, 2.0, 60)
