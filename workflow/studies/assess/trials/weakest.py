@@ -21,12 +21,14 @@ ROOT = Path(__file__).resolve().parents[4]
 OWN = Path(__file__).resolve().parents[1] / "tests"
 sys.path[:0] = [str(ROOT), str(ROOT / "workflow"), str(ROOT / "tests" / "cases"), str(OWN)]
 FOOT_M, HINGE_M, COARSE_M = 0.05, 0.10, 0.20
+ROUNDED_M = 1e-9
 NEAR = 1.2  # times the least of the coarse search: searched finely about
 WEAKER = 0.98
 
 
 def bending(family, low, high, next_m, known):
     """Least PGA of bending between two levels that hold [g]: coarse, then fine about the best."""
+    next_m -= ROUNDED_M  # a foot at the next level is another kind's
 
     def pga_g(foot, hinge):
         one = family.span(low, float(foot), float(hinge), high)
