@@ -3,10 +3,11 @@
 The whole façade, and every other plane mechanism that fails by hand below
 `assessment.shaken_within` times the demand's PGA: what is near the demand, whatever the weakest
 does. So is one with a tie or an anchor that gives way early, which sets its d_SLV: the millimetres
-up to there are elastic sway, of which no check by hand tells. Corners do not turn over the whole
-width, and parts that are too stocky to rock slide first: they are judged by hand alone, and the
-reason is said. The whole façade, one mechanism above a cut, and a span of it are all cases
-(`Case.part`).
+up to there are elastic sway, of which no check by hand tells. So is every span that bends: by hand
+its level stays in place whatever it must bear, and the ties or anchors there may give way long
+before. Corners do not turn over the whole width, and parts that are too stocky to rock slide first:
+they are judged by hand alone, and the reason is said. The whole façade, one mechanism above a cut,
+and a span of it are all cases (`Case.part`).
 
 By default no friction of floors holds the façade while it is shaken (`settled`): by hand it is left
 out too, since nobody has verified that it lasts until collapse.
@@ -92,7 +93,8 @@ def why_not(one, pga_g, least_g, tried):
     """
     if not one.plane:
         return told(CORNER if one.side else NARROW, pga_g)
-    if not one.whole and pga_g > least_g and math.isnan(limits_with(one).bare_m):
+    by_hand = one.held_m is None and math.isnan(limits_with(one).bare_m)
+    if by_hand and not one.whole and pga_g > least_g:
         return told(FAR, pga_g)
     try:
         for case in tried:
@@ -108,8 +110,8 @@ def chosen(ranked, tried, demand_g, within):
     """Which mechanisms are shaken, and why the others are not: COLUMNS, in the order of `ranked`.
 
     One of `code_checks.governing` is shaken where it fails by hand below `within` times the
-    demand's PGA, or has a link that gives way early, and is a case of each of `tried`, one of each
-    model.
+    demand's PGA, has a link that gives way early or bends below one, and is a case of each of
+    `tried`, one of each model.
     """
     rows = []
     for pga_g, one, _ in ranked:

@@ -46,8 +46,25 @@ def test_the_demand_decides_and_not_the_weakest():
     )
     assert every.all()
     fewer, _ = table(1.0, CodeDemand(0.06, 2.5, 0.31, "C"))  # none is near a weak demand
-    assert set(fewer.loc[fewer["shaken"] == 1, "part"]) == {"whole"}
+    spans = set(fewer.loc[fewer["held_m"].notna(), "part"])
+    assert spans
+    assert set(fewer.loc[fewer["shaken"] == 1, "part"]) == {"whole", *spans}
     assert found.loc[found["part"] == "whole", "shaken"].iloc[0] == 1
+
+
+def test_a_span_falls_once_its_level_gives_way():
+    """By hand the level stays in place whatever it bears; with anchors of 12 kN it does not."""
+    fell = {}
+    for anchor_kn in (12.0, 400.0):
+        row = {"height_m": 4.0, "count": 1, "diameter_mm": 30.0, "anchor_kn": anchor_kn}
+        facade = {**FACADE, "thickness_m": 0.3, "ties": [row], "floors": []}
+        damping = {"law": "value", "beta_s": 0.001}
+        case = study_case("W1", {"facade": facade, "smdof": CHAIN, "damping": damping})
+        motion = Motion.named("IS105_Lo", "config/suites/recorded_suite.tsv")
+        how = {"search": "list", "settings": {"pga_g": [0.5]}}
+        (found,) = curve.collapse_curves(case.part(0.0, 4.0, 2.5), [(motion, "pos")], **how)
+        fell[anchor_kn] = found.table["status"].iloc[0] == "overturned"
+    assert fell == {12.0: True, 400.0: False}
 
 
 @pytest.mark.parametrize(("anchor_kn", "shaken_too"), [(40.0, True), (90.0, False)])
