@@ -132,7 +132,7 @@ def withstand(parts, ends, arms, direction, more, sums, back, row):
     turned, twice = more * k1, more * (more * k2)
     of_a, of_b = plus(turned, lever_a, k0), plus(turned, lever_b, k0)
     spread = plus(twice, turned, lever_a), plus(twice, turned, lever_b)
-    _resist(parts, ends, (y, z), k0, (lever_a, lever_b), (of_a, of_b), spread)
+    _add_dashpots(parts, ends, (y, z), k0, (lever_a, lever_b), (of_a, of_b), spread)
     a, b, _ = ends
     if a < 0 or b < 0:
         mine = of_a if a >= 0 else of_b
@@ -146,7 +146,7 @@ def withstand_slip(parts, ends, arms, direction, k0, back, row):
     (y, z), (a, b, _), none = direction, ends, like(0.0, k0)
     lever_a, lever_b = _levers(arms, direction)
     of_a, of_b = lever_a * k0, lever_b * k0
-    _resist(parts, ends, (y, z), k0, (lever_a, lever_b), (of_a, of_b), (none, none))
+    _add_dashpots(parts, ends, (y, z), k0, (lever_a, lever_b), (of_a, of_b), (none, none))
     if a < 0 or b < 0:
         mine = of_a if a >= 0 else of_b
         for m, value in enumerate((y * k0, z * k0, mine)):
@@ -161,7 +161,7 @@ def _levers(arms, direction):
 
 
 @inlined
-def _resist(parts, ends, direction, k0, levers, moments, spread):
+def _add_dashpots(parts, ends, direction, k0, levers, moments, spread):
     """Add a joint's dashpots along a direction to those of its blocks and between them."""
     (a, b, _), (y, z) = ends, direction
     yk, zk = y * k0, z * k0

@@ -110,8 +110,8 @@ def chosen(ranked, tried, demand_g, within):
     """Which mechanisms are shaken, and why the others are not: COLUMNS, in the order of `ranked`.
 
     One of `code_checks.governing` is shaken where it fails by hand below `within` times the
-    demand's PGA, has a link that gives way early or bends below one, and is a case of each of
-    `tried`, one of each model.
+    demand's PGA, has a link that gives way early or is a span that bends, and is a case of each
+    of `tried`, one of each model.
     """
     rows = []
     for pga_g, one, _ in ranked:
