@@ -28,11 +28,11 @@ INTRO = """\
 <!-- Written by `python tools/pack_record.py`. -->
 
 Pages say what a number means. The measurements behind them are one compressed record,
-`docs/record.tar.xz`, a page a topic. Nothing in it is needed to use the workflow. A number is of
-the code it was measured with. To read it:
+`docs/record.tar.xz`, a page a topic. Nothing in it is needed to use the workflow. Each number
+holds for the code that made it. To read it:
 
 ```sh
-tar xf docs/record.tar.xz -C build     # build/record/accuracy.md and the others
+tar xf docs/record.tar.xz -C /tmp     # /tmp/record/accuracy.md and the others
 ```
 
 To add to it, unpack it with `python tools/pack_record.py --unpack`, write, and pack it again.
