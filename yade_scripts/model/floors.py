@@ -43,7 +43,7 @@ def loaded(rows, shape):
 
 def place_of(row, shape):
     """Point of a floor on the façade: s from its inner face, or the middle of its thickness."""
-    back, front = shape.faces_at(row.height_m)
+    back, front = shape.tapered_faces_at(row.height_m)
     y = 0.5 * (back + front) if row.arm_m is None else back + row.arm_m
     return 0.0, y, row.height_m
 

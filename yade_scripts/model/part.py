@@ -111,7 +111,7 @@ def _above_the_walls(section, shape, foot_m):
 
     Its base moves with the foot of the gable or parapet. A gable narrows with height.
     """
-    back, front = shape.storeys[-1][2:]
+    back, front = shape.crown if section["gable_height_m"] else shape.storeys[-1][2:]
     gable, eaves = section["gable_height_m"], section["height_m"]
     high = shape.top_m - max(foot_m, eaves)
     share = high / gable if gable else 1.0
@@ -174,13 +174,13 @@ def _load(section, shape, held_m, height_m):
         mass *= y1 - y0
         weight, moment = weight + mass, moment + 0.5 * mass * (y0 + y1)
     if gable := section["gable_height_m"]:
-        y0, y1 = shape.storeys[-1][2:]
+        y0, y1 = shape.crown
         mass = 0.5 * section["density_kg_m3"] * gable * (y1 - y0) * section["width_m"]
         weight, moment = weight + mass, moment + 0.5 * mass * (y0 + y1)
     weight, moment = GRAVITY_M_S2 * weight, GRAVITY_M_S2 * moment
     for row in section["floors"]:
         if row["height_m"] >= held_m + LEVEL_M:
-            back, front = shape.faces_at(row["height_m"])
+            back, front = shape.tapered_faces_at(row["height_m"])
             arm = 0.5 * (front - back) if row["arm_m"] is None else row["arm_m"]
             weight += 1e3 * row["load_kn"]
             moment += 1e3 * row["load_kn"] * (back + arm)

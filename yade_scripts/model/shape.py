@@ -60,6 +60,8 @@ class Shape:
     hinges_m: tuple = ()
     cornices: tuple = ()  # (z0, z1, y0, y1)
     slope: float = 0.0  # of a wedge's crack: how far back it reaches over its height
+    crown: tuple = ()  # (y0, y1) at the very top of what the return walls hold, a gable's
+    tapers: bool = False  # in a straight line from the base to the crown
 
     def piece_at(self, height_m):
         """Which of the rigid pieces between hinges a height belongs to, the lower at a hinge."""
@@ -129,6 +131,13 @@ class Shape:
         """Places of back and front face (y0, y1) at a height, those below at a step [m]."""
         return next(s[2:] for s in self.storeys if s[0] <= height_m <= s[1])
 
+    def tapered_faces_at(self, height_m):
+        """`faces_at` of the façade itself, not of the boxes that stand for its taper [m]."""
+        if not self.tapers or height_m > self.height_m:
+            return self.faces_at(height_m)
+        share, base = height_m / self.height_m, (0.0, self.thickness_m)
+        return tuple(a + share * (z - a) for a, z in zip(base, self.crown, strict=True))
+
     def back_parts(self, low_m, tall_m, walls):
         """Contact of the back face with return walls (x0, x1) from a height up to so much above it.
 
@@ -180,7 +189,7 @@ def _shape(facade):
         raise ValueError(f"facade.parapet_height_m = {parapet:g}: expected 0 (m) with a gable")
     storeys = _storeys(facade)
     openings = _openings(facade)
-    alone = facade.outline == TRIANGLE
+    alone, crown = facade.outline == TRIANGLE, _crown(facade, storeys)
     boxes = () if alone else storeys
     parts = [_box(density, (-0.5 * width, 0.5 * width), s[2:], s[:2]) for s in boxes]
     for x0, x1, z0, z1 in openings:
@@ -190,7 +199,7 @@ def _shape(facade):
     if alone:
         parts.append(_prism(density, width, storeys[0][2:], 0.0, h))
     if gable:
-        parts.append(_prism(density, width, storeys[-1][2:], h, gable))
+        parts.append(_prism(density, width, crown, h, gable))
     parts += wedge_parts(facade, storeys)
     cornices = cornices_of(facade, storeys)
     parts += [_box(density, (-0.5 * width, 0.5 * width), c[2:], c[:2]) for c in cornices]
@@ -210,6 +219,8 @@ def _shape(facade):
         _hinges(facade),
         cornices,
         slope_of(facade),
+        crown,
+        bool(facade.top_thickness_m),
     )
     low = -math.inf if found.slope else 0.0  # a wedge leans back on its crack
     if not low < found.centre_m[1] < b:
@@ -286,11 +297,19 @@ def _storeys(facade):
         thick = [tapered(facade, 0.5 * (a + z)) for a, z in itertools.pairwise(edges)]
     if parapet := facade.parapet_height_m:
         edges.append(h + parapet)
-        thick.append(facade.parapet_thickness_m or thick[-1])
+        thick.append(facade.parapet_thickness_m or facade.top_thickness_m or thick[-1])
     outer = facade.flush_face == "outer"
     back = [b - t if outer else 0.0 for t in thick]
     rows = zip(edges, edges[1:], back, thick, strict=False)
     return tuple((z0, z1, y, y + t) for z0, z1, y, t in rows)
+
+
+def _crown(facade, storeys):
+    """Faces (y0, y1) at the top of what the return walls hold."""
+    if not facade.top_thickness_m:
+        return next(s[2:] for s in storeys if s[1] >= facade.height_m - SLIVER_M)
+    b, t = facade.thickness_m, facade.top_thickness_m
+    return (b - t, b) if facade.flush_face == "outer" else (0.0, t)
 
 
 def _thickness(b, steps, height_m):

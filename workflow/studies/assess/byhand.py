@@ -88,7 +88,7 @@ def _band(masonry, low_m, high_m, masses, move, held):
 def parts(family, candidate):
     """Every `Part` of a plane mechanism, from below."""
     found, masonry = [], family.masonry
-    pieces = candidate.mechanism.pieces
+    pieces = family.pieces(candidate)
     for low, high, move in pieces:
         rows = bands(masonry, low, high)
         found += [_band(masonry, a, b, own, move, False) for a, b, own in rows]
@@ -118,7 +118,7 @@ def _wedges(masses, move):
 def _loads(family, candidate):
     """Loads of floors and roof, and what pushes without bearing."""
     found, foot, held = [], candidate.foot_m, candidate.held_m
-    pieces = candidate.mechanism.pieces
+    pieces = family.pieces(candidate)
     for weight, y, z in family.loads:
         if z < foot + (NEAR_M if foot else 0.0) or not weight:
             continue

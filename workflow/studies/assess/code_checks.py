@@ -57,7 +57,7 @@ def code_checks(candidate, sections, demand, confidence_factor=None):
                 crushes=inset > 0.0,
             )
     slow = next(v for s, _, v, _ in by_check["slv_height"].steps if s == "T_SLV")
-    high = facade.base_height_m + facade.height_m
+    high = facade.building_top_m
     rows = [("parts_height", place * high, 0.0), ("parts_slow", place * high, slow)]
     if candidate.on_ground:
         rows.insert(0, ("parts_ground", 0.0, 0.0))

@@ -38,9 +38,9 @@ class Elastic:
         return self.ag_g * ss * st
 
     @property
-    def flat_from_s(self):
+    def edges_s(self):
         """T_D, from which on the displacement is the same [s]."""
-        return self.factors[-1]
+        return (self.factors[-1],)
 
     def acceleration(self, period_s, damping_ratio=REFERENCE):
         """S_e(T) [g]."""

@@ -35,7 +35,7 @@ class RecordDemand:
     acceleration_m_s2: np.ndarray
     dt_s: float
     _known: dict = field(default_factory=dict, repr=False, compare=False)
-    flat_from_s = math.inf
+    edges_s = ()  # periods between which its displacement is smooth, beside any grid's
 
     @property
     def pga_g(self):
@@ -79,9 +79,9 @@ class TableDemand:
         return float(self.acceleration_g[0])
 
     @property
-    def flat_from_s(self):
-        """Period from which on the displacement is the same [s]."""
-        return float(self.period_s[-1])
+    def edges_s(self):
+        """Periods at which it bends [s]; from the last on the displacement is the same."""
+        return tuple(float(t) for t in self.period_s if t > 0.0)
 
     def acceleration(self, period_s, damping_ratio=REFERENCE):
         """Pseudo-acceleration [g]; away from 5 % by η, except at period 0."""
@@ -119,8 +119,7 @@ def largest_displacement(demand, low_s, high_s, damping_ratio):
     first, last = (math.log(t) / math.log(PERIOD_STEP) for t in (low, high_s))
     periods = [*PERIOD_STEP ** np.arange(math.ceil(first), math.ceil(last)), high_s]
     ground = demand.ground if isinstance(demand, FloorDemand) else demand
-    if low < ground.flat_from_s < high_s:
-        periods = sorted([*periods, ground.flat_from_s])
+    periods = sorted({*periods, *(t for t in ground.edges_s if low < t < high_s)})
     if isinstance(ground, RecordDemand) and (ground is demand or demand.bounded):
         ground.compute(periods, damping_ratio)
     found = [displacement(demand, float(t), damping_ratio) for t in periods]
@@ -142,9 +141,10 @@ class FloorDemand:
         R a_k/[1 + (R − 1)(T/bT_k − 1)^1.2]   above,
 
     combined over modes by the root of the sum of squares, and not less than S_e(T, ξ) of the ground
-    where T > T1. At T = 0 it is the floor's peak acceleration. Measured against the exact chain in
-    `floor_spectra`. `bounded` is with the lower bound of C7.2.5 and that of C8.7.1.12
-    (`displacement`), which secondary transcriptions leave out.
+    where T > T1. At T = 0 it is the floor's peak acceleration, which is not taken below the
+    ground's PGA: low down, the code's first mode alone would be. Measured against the exact chain
+    in `floor_spectra`. `bounded` is with that bound, the lower bound of C7.2.5 and that of
+    C8.7.1.12 (`displacement`), which secondary transcriptions leave out.
     """
 
     ground: Any  # RecordDemand, TableDemand or CodeDemand
@@ -190,7 +190,7 @@ class FloorDemand:
                 divisor += (r - 1.0) * above**1.2
             square += (r * peak / divisor) ** 2
         found = float(np.sqrt(square))
-        if self.bounded and period_s > max(self.period_s):
+        if self.bounded and (period_s <= 0.0 or period_s > max(self.period_s)):
             found = max(found, self.ground.acceleration(period_s, damping_ratio))
         return found
 

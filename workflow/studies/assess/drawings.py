@@ -145,7 +145,7 @@ def _section(axis, say, family, candidate, scale):
         axis.add_patch(Rectangle((-depth, ground), depth + b, family.base_m, fc="1", ec="0.5"))
     axis.plot([-1.2 * depth, b + 16 * scale], [ground] * 2, color="0", lw=1.2)
     if not candidate.side:
-        _turned(axis, m, candidate.mechanism)
+        _turned(axis, family, candidate)
     for outline in drawn_bodies.on_section(family, candidate):
         axis.add_patch(Polygon(outline, fc="none", ec="0", lw=0.9, ls="--"))
     edge = family._edge(candidate.foot_m, family.settings["hinge_inset_m"])
@@ -191,10 +191,10 @@ def _measured(masonry, parts):
     return [(0.1 * h, 0.0), (0.9 * h, h), *middles[1:]]
 
 
-def _turned(axis, masonry, mechanism):
+def _turned(axis, family, candidate):
     """Section of a mechanism at half of the rotation at which its multiplier vanishes."""
-    theta = 0.5 * mechanism.ultimate()[0]
-    for low, high, move in mechanism.pieces:
+    masonry, theta = family.masonry, 0.5 * candidate.mechanism.ultimate()[0]
+    for low, high, move in family.pieces(candidate):
         for z0, z1 in drawn_bodies.pieces(masonry):
             a, c = max(z0, low), min(z1, high)
             if c - a < 1e-6:

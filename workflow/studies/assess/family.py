@@ -152,7 +152,7 @@ class Family:
 
     def _place(self, low_m, high_m):
         """Height of the middle of a line over the building's height."""
-        share = (self.base_m + 0.5 * (low_m + high_m)) / (self.base_m + self.height_m)
+        share = (self.base_m + 0.5 * (low_m + high_m)) / self.facade.building_top_m
         return min(share, 1.0)
 
     def _edge(self, height_m, inset_m):
@@ -284,9 +284,7 @@ class Family:
             self._leaned(m.masses(low_m, hinge_m)),
             self._leaned(m.masses(hinge_m, high_m)),
             Edges(
-                *map(
-                    self._leaned_point, ((self._edge(low_m, inset), low_m), joint, (outer, high_m))
-                )
+                *map(self.leaned_point, ((self._edge(low_m, inset), low_m), joint, (outer, high_m)))
             ),
             self._leaned(between),
             self._leaned(above),
@@ -294,7 +292,23 @@ class Family:
             self.thrusting(low_m, high_m),
         )
 
-    def _leaned_point(self, point):
+    def pieces(self, candidate):
+        """Rigid pieces of a mechanism as (low_m, high_m, move) of the façade before it leans.
+
+        One block's paths begin upright; those of a span begin where a leaning wall has its points.
+        """
+        found = candidate.mechanism.pieces
+        if candidate.held_m is None or not self.lean_rad:
+            return found
+        ends = candidate.foot_m, candidate.hinge_m, candidate.held_m
+
+        def of(move):
+            return lambda point: move(self.leaned_point(point))
+
+        moves = [of(move) for *_, move in found]
+        return tuple(zip(ends, ends[1:], moves, strict=False))
+
+    def leaned_point(self, point):
         """A point (y, z) of a wall that leans, turned about its outer edge at the base."""
         if not self.lean_rad:
             return point
@@ -302,7 +316,7 @@ class Family:
         return tuple(v.real for v in turning(point, (edge, 0.0))(self.lean_rad))
 
     def _leaned(self, masses):
-        return [(w, *self._leaned_point((y, z))) for w, y, z in masses]
+        return [(w, *self.leaned_point((y, z))) for w, y, z in masses]
 
     def corner(self, side, foot_m=None):
         """A corner that turns about the bisector's normal through its outer edge.
@@ -315,20 +329,23 @@ class Family:
         """
         if foot_m is None:
             (foot_m,) = (one.foot_m for one in weakest.corners(self) if one.side == side)
-        tangent = math.tan(math.radians(self.settings["corner_crack_deg"]))
-        root, inset = math.sqrt(0.5), self.settings["hinge_inset_m"]
-        front = self.masonry.faces(foot_m)[1]
-        masses = [
-            (w, -root * (x + front - y), z)
-            for w, x, y, z in self.masonry.wedge(foot_m, tangent, side)
-        ]
-        masses += self._return_wedge(foot_m, tangent, self.wall["thickness_m"], root)
+        masses, inset = self.corner_masses(side, foot_m), self.settings["hinge_inset_m"]
         thrust = self.settings["hip_thrust_kn"]
         hinge, top = (-inset, foot_m), (-inset, self.height_m)
         found = toppling("corner", masses, hinge, top, thrusts=[(1e3 * thrust, self.height_m)])
         on_ground = self.base_m + foot_m <= 0.0
         given = found, foot_m, self._place(foot_m, self.height_m), on_ground
         return Candidate(*given, side=side, part=f"{CORNERS[side]}_corner")
+
+    def corner_masses(self, side, foot_m):
+        """What a corner above a foot takes with it: (weight_n, y_m, z_m), y along its bisector."""
+        tangent = math.tan(math.radians(self.settings["corner_crack_deg"]))
+        front, root = self.masonry.faces(foot_m)[1], math.sqrt(0.5)
+        masses = [
+            (w, -root * (x + front - y), z)
+            for w, x, y, z in self.masonry.wedge(foot_m, tangent, side)
+        ]
+        return masses + self._return_wedge(foot_m, tangent, self.wall["thickness_m"], root)
 
     def between(self, mechanism, foot_m, top_m, part, ends):
         """`Candidate` of a mechanism between two ends along the façade, held up to a height."""
@@ -337,13 +354,13 @@ class Family:
         return own._replace(left_m=ends[0], right_m=ends[1])
 
     def _return_wedge(self, foot_m, tangent, depth_m, root):
-        """Its part of the return wall, behind the façade's thickness."""
-        found = []
+        """Its part of the return wall, behind the façade; the crack counts from the foot's edge."""
+        found, edge = [], self.masonry.faces(foot_m)[1]
         for z, step in self.masonry.strips(foot_m):
-            back, front = self.masonry.faces(z)
-            reach = (z - foot_m) * tangent - (front - back)
+            deep = edge - self.masonry.faces(z)[0]
+            reach = (z - foot_m) * tangent - deep
             weight = reach * step * depth_m * self.masonry.unit_weight
-            lever = front - back + 0.5 * reach + 0.5 * depth_m
+            lever = deep + 0.5 * reach + 0.5 * depth_m
             found.append((weight, -root * lever, z))
         return [row for row in found if row[0] > 0.0]
 

@@ -121,6 +121,12 @@ def check_mechanisms(resolved):
             f"assess: facade.wedge_deg = {resolved['facade']['wedge_deg']:g}: expected 0 (°); the "
             "checks find the weakest wedge, or take that of assessment.crack_deg"
         )
+    for key, own in (("sides", "one"), ("outline", "box")):
+        if resolved["facade"][key] != own:
+            raise ValueError(
+                f"assess: facade.{key} = {resolved['facade'][key]}: expected {own}; state the wall "
+                "below, with facade.gable_height_m or facade.parapet_height_m"
+            )
     if any(resolved["part"].values()):
         raise ValueError(
             "assess: part: expected none; every part that fails first is shaken, beside the whole"

@@ -45,6 +45,8 @@ class Masonry:
             b, t = self.facade.thickness_m, tapered(self.facade, height_m)
             return (b - t, b) if self.facade.flush_face == "outer" else (0.0, t)
         eps = 1e-6 if above else -1e-6
+        if self.gable_m > 1e-9 and height_m + eps > self.height_m:
+            return self.shape.crown
         last = self.shape.storeys[-1]
         return self.shape.faces_at(min(max(height_m + eps, 0.0), last[1]))
 

@@ -222,7 +222,10 @@ def horizontal(family, foot_m, top_m, places):
     height. Rods at its ends hold it and are not passed; of others those within it pull.
     """
     m, inset = family.masonry, family.settings["hinge_inset_m"]
-    back, front = m.faces(0.5 * (foot_m + top_m))
+    edges = [z for z in m.edges_m if foot_m < z < top_m]
+    faces = [m.faces(z, above) for z in edges for above in (False, True)]
+    backs, fronts = zip(*faces, m.faces(foot_m), m.faces(top_m, above=False), strict=True)
+    back, front = max(backs), min(fronts)  # what all of its height has
     left, middle, right = places
     wedge = Wedge(left, middle, right, foot_m, top_m, front - inset, back + inset)
     cuts = np.linspace(foot_m, top_m, STRIPS + 1).tolist()

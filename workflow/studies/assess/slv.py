@@ -69,13 +69,15 @@ class Slv:
         self.factor = checks.confidence(own["confidence_factor"], own["hinge_inset_m"])
         self.damaged = damaged(sections)
         self._floors: dict[float, FloorDemand] = {}
-        self._spectra: dict[tuple, np.ndarray] = {}
+        self._spectra: dict[tuple, tuple] = {}
 
     def places(self, candidate):
         """Demands that a mechanism is held to, and where each is, by "ground" and "height"."""
         place = candidate.place
         if place not in self._floors:
-            self._floors[place] = floor_demand(self.demand, place, self.chain, damaged=self.damaged)
+            given = self.demand, place, self.chain
+            own = floor_demand(*given, damaged=self.damaged) if place > 0.0 else self.demand
+            self._floors[place] = own
         found = {"height": (self._floors[place], SAY("step.where.floor", place=place))}
         if candidate.on_ground:
             found = {"ground": (self.demand, SAY("step.where.ground")), **found}
@@ -119,16 +121,14 @@ class Slv:
         """Largest spectral displacement between two periods [m], see `largest_displacement`."""
         key = id(demand), damping  # those of `places`, which are kept
         if key not in self._spectra:
-            periods = PERIOD_STEP ** np.arange(LOWEST, HIGHEST + 1)
+            edges = getattr(demand, "ground", demand).edges_s
+            periods = np.union1d(PERIOD_STEP ** np.arange(LOWEST, HIGHEST + 1.0), edges)
             values = [displacement(demand, float(t), damping) for t in periods]
-            self._spectra[key] = np.array(values)
+            self._spectra[key] = periods, np.array(values)
+        periods, values = self._spectra[key]
         low = max(low_s, high_s / SHORTEST)
-        first, last = (math.ceil(math.log(t) / math.log(PERIOD_STEP)) for t in (low, high_s))
-        own = self._spectra[key][max(first, LOWEST) - LOWEST : min(last, HIGHEST) - LOWEST]
+        own = values[np.searchsorted(periods, low) : np.searchsorted(periods, high_s)]
         most = displacement(demand, high_s, damping)
-        flat_s = getattr(demand, "ground", demand).flat_from_s
-        if low < flat_s < high_s:
-            most = max(most, displacement(demand, flat_s, damping))
         return max(most, float(own.max())) if own.size else most
 
 

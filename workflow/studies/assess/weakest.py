@@ -189,21 +189,36 @@ def _hinges(family, foot_m, high_m):
 
 
 def corners(family):
-    """Both corners, each at its weakest foot; none without return walls. No tie holds them."""
-    if not family.wall["count"]:
+    """Both corners, each at its weakest foot; none without a return wall at the ends.
+
+    No tie holds them. A hip rafter's thrust pushes off the top of any dry corner, which what joins
+    rafter and walls prevents: with one a corner turns from the base, or above a level that holds
+    where it stands at rest.
+    """
+    if family.wall["count"] < 2:  # a single wall stands in the middle
         return []
     last = family.height_m - LEAST_PART_M
     edges = [z for z in family.masonry.edges_m if 0.0 < z < last]
     samples = sorted({*np.linspace(0.0, last, CORNER_FEET).tolist(), *edges})
+    thrust = bool(family.settings["hip_thrust_kn"])
+    if thrust:
+        samples = [z for z in family.levels() if z < last]
     found = []
     for side, word in CORNERS.items():
 
         def measure(z, side=side):
+            if not family.corner_masses(side, float(z)):
+                return math.inf  # openings up to the eaves
             return family.measure(Site("", float(z), side=side))
 
         values = [measure(z) for z in samples]
+        if thrust:
+            values[1:] = [value if value > 0.0 else math.inf for value in values[1:]]
         k = int(np.argmin(values))
-        ends = samples[max(k - 1, 0)], samples[min(k + 1, len(samples) - 1)]
-        foot, _ = _least(measure, *ends, samples[k], values[k])
-        found.append(Site(f"{word}_corner", foot, side=side))
+        foot = samples[k]
+        if not thrust:
+            ends = samples[max(k - 1, 0)], samples[min(k + 1, len(samples) - 1)]
+            foot, _ = _least(measure, *ends, foot, values[k])
+        if family.corner_masses(side, foot):
+            found.append(Site(f"{word}_corner", foot, side=side))
     return found

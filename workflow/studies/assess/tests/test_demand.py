@@ -175,7 +175,7 @@ def test_the_spectrum_of_en_1998_by_its_parameters():
     found = [demand.acceleration(t) for t in (0.1, 0.3, 1.2, 3.0)]
     assert found == pytest.approx([0.322, 0.46, 0.23, 0.46 * 1.2 / 9.0])
     assert demand.acceleration(0.3, 0.08) == pytest.approx(0.46 * math.sqrt(10.0 / 13.0))
-    assert demand.flat_from_s == 2.0
+    assert demand.edges_s == (2.0,)
 
 
 @pytest.mark.parametrize(

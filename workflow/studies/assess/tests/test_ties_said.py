@@ -85,8 +85,8 @@ def test_what_no_row_holds_and_what_was_not_shaken_are_named():
     [
         (
             data([], [(GABLE, "", 1, "", "")]),
-            "No row at floors or eaves",
-            "strongest.",
+            "No row at these levels",
+            "the part above 6.40 m.",
         ),
         (data([]), "None are needed", "demand with W2m."),
         (data([], tried=False), "None are needed by hand", "not made."),

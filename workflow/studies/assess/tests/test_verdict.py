@@ -233,7 +233,7 @@ def test_page_1_names_the_wall_and_what_was_not_shaken_with_the_reason():
     left = pd.DataFrame([{**NOWHERE, "shaken": 0, **one} for one in (corner, low, bent)])
     given = tables(verdicts(True), pd.concat([SHAKEN, left], ignore_index=True), whole=0.25)
     said = headline(given, ABOUT)
-    assert said[0].endswith("The wall that is shaken is an elastic wall in 4 courses.")
+    assert said[0].endswith("The wall that is shaken is an elastic wall in 4 slices.")
     block = headline(
         given, {**ABOUT, "wall": named(SimpleNamespace(**{**vars(FACADE), "courses": 0}))}
     )[0]
