@@ -5,13 +5,12 @@
 For every curve the dense scan with its power, then `--each` histories in every 1 % of amplitude
 below its `pga_safe_g`, down to `--down` of it: how many fall, and in which windows more than the
 bound. `--courses` takes the wall in four courses; `--finer 0.25 60` runs so many more in every 1 %
-at a quarter of the step, and `--each` where more than the bound fell of these. `--former` judges
-the search that doubts by the largest peak alone, by the same histories. Above the safe amplitude
-`--above` of them in 1 %, up to where 90 % fall for sure: first crossings from those alone, beside
-the scan's and the short climb's; 0: none. Motions by the names of the recorded suite, or of
-`--records`; with a seed surrogates of `--surrogates`. Curves that `--output` holds are not run
-again; `--keep` is a folder for the scans and the dense histories. A curve takes half a minute to
-some minutes; a line says what all of them come to. The curves of docs/record.md#collapse:
+at a quarter of the step, and `--each` where more than the bound fell of these. Above the safe
+amplitude `--above` of them in 1 %, up to where 90 % fall for sure: first crossings from those
+alone, beside the scan's and the short climb's; 0: none. Motions by the names of the recorded suite,
+or of `--records`; with a seed surrogates of `--surrogates`. Curves that `--output` holds are not
+run again; `--keep` is a folder for the scans and the dense histories. A curve takes half a minute
+to some minutes; a line says what all of them come to. The curves of docs/record.md#collapse:
 `tests/trials/safe_amplitudes.sh`.
 """
 
@@ -23,7 +22,6 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 from rocking import Case, Motion, collapse_curve
-from rocking.collapse import hidden, search
 from rocking.collapse.crossing import first_crossing
 from rocking.collapse.curve import run_by
 from rocking.collapse.hidden import WINDOW
@@ -75,52 +73,6 @@ def looked_at_again(screen, finer, each, args):
     return {f"finer_{name}": again[name] for name in ("windows_over", "largest_share", "at_g")}
 
 
-def by_largest_peak(pga_g, d_over_b, _, low_g):
-    """Windows in doubt by the former rule: peaks from 0.45 on that leave a line by 0.03 of d/b."""
-    at, d_over_b, low = np.log(pga_g), np.asarray(d_over_b, float), np.log(low_g)
-    ends = np.searchsorted(at, low - WINDOW), np.searchsorted(at, low + 2.0 * WINDOW)
-    found = np.zeros(low.size, bool)
-    for k, (i, j) in enumerate(zip(*ends, strict=True)):
-        near = d_over_b[max(i - 1, 0) : j + 1]
-        if near.size and near.max() < hidden.NEAR:
-            continue
-        x, y = at[i:j], d_over_b[i:j]
-        found[k] = y.size < hidden.FEW or np.isnan(y).any()
-        if not found[k]:
-            x = x - x.mean()
-            found[k] = np.abs(y - y.mean() - x * (x @ y) / max(x @ x, 1e-30)).max() > 0.03
-    return found
-
-
-def former(case, motion, direction, screen, found, low, args):
-    """The former search of the same curve: its cost, and what falls below its safe amplitude.
-
-    Its realisations are today's; of courses they were of one step.
-    """
-    usual = search.doubtful
-    try:
-        search.doubtful = by_largest_peak
-        began = time.process_time()
-        other = collapse_curve(case, motion, direction)
-        took, safe_g = time.process_time() - began, other.summary()["pga_safe_g"]
-    finally:
-        search.doubtful = usual
-    under = low[low["pga_g"] < safe_g]
-    if safe_g > found * (1.0 + 1e-4):  # what lies between is not run yet
-        under = pd.concat([under, dense(screen, found, safe_g, args.each)])
-    fell = under["collapsed"].to_numpy()
-    whole = fell[: fell.size // args.each * args.each].reshape(-1, args.each).mean(axis=1)
-    return {
-        "former_safe_g": safe_g,
-        "former_runs": other.runs,
-        "former_cpu_s": took,
-        "former_histories_below": fell.size,
-        "former_fell_below": int(fell.sum()),
-        "former_windows_over": int((whole > args.bound).sum()),
-        "former_largest_share": whole.max(),
-    }
-
-
 def climbs(case, motion, direction):
     """Short climbs with the long step and with the scan's: crossings and cost."""
     out = {}
@@ -144,12 +96,6 @@ def told(table):
     line = f"{len(table)} curves, {(table['peak_below'] >= 0.6).sum()} with peaks from 0.6 on: "
     line += f"{over} with a window over the bound, {fell} in which any falls "
     line += f"({table['fell_below'].sum()} of {table['histories_below'].sum()} histories)"
-    if "former_runs" in table and (old := table.dropna(subset="former_runs")).size:
-        line += f"; formerly {(old['former_windows_over'] > 0).sum()} and "
-        line += f"{(old['former_fell_below'] > 0).sum()} of {len(old)}, histories "
-        line += f"× {old['runs_planar'].sum() / old['former_runs'].sum():.2f}, seconds "
-        line += f"× {old['cpu_s'].sum() / old['former_cpu_s'].sum():.2f}, safe amplitude "
-        line += f"× {(old['pga_safe_g'] / old['former_safe_g']).median():.3f} in the median"
     if "finer_fell_below" in table and (fine := table.dropna(subset="finer_fell_below")).size:
         line += f"; at the finer step {(fine['finer_windows_over'] > 0).sum()} over the bound, "
         line += f"{(fine['finer_fell_below'] > 0).sum()} with any of {len(fine)}"
@@ -183,8 +129,6 @@ def row(curve, args):
     low = dense(screen, safe_g * math.exp(-WINDOW * round(-math.log(args.down) / WINDOW)), safe_g,
                 args.each)  # fmt: skip
     out |= beneath(low, args.each, args.bound)
-    if args.former:
-        out |= former(case, motion, direction, screen, safe_g, low, args)
     tables = {"scan": scan.table, "below": low}
     stood = scan.table[(scan.table["pga_g"] < safe_g) & (scan.table["collapsed"] == 0)]
     out["peak_below"] = stood.loc[stood["pga_g"] > args.down * safe_g, "d_over_b"].max()
@@ -219,7 +163,6 @@ def main():
     parser.add_argument("--above", type=int, default=40, help="histories in 1 %% above")
     parser.add_argument("--down", type=float, default=0.8, help="of the safe amplitude")
     parser.add_argument("--courses", action="store_true", help="the wall in four courses")
-    parser.add_argument("--former", action="store_true", help="judge the former search too")
     parser.add_argument("--finer", type=float, nargs=2, metavar=("STEP", "EACH"))
     parser.add_argument("--bound", type=float, default=0.03, help="share that may fall")
     parser.add_argument("--keep", help="folder of the tables behind a row")

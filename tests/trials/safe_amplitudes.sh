@@ -4,7 +4,7 @@
 #     sh tests/trials/safe_amplitudes.sh safe.csv
 set -e
 python=.venv/bin/python trial=tests/trials/safe_amplitudes.py
-how="--each 400 --down 0.85 --above 0 --former --output ${1:-safe.csv}"
+how="--each 400 --down 0.85 --above 0 --output ${1:-safe.csv}"
 block() { $python $trial $how "$@"; }
 courses() { $python $trial $how --courses --finer 0.25 60 "$@"; }
 
