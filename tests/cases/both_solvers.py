@@ -7,6 +7,7 @@ from rocking.solver.runs import Motions, history
 from yade_process import in_yade
 
 from yade_scripts.model.floor_motions import motion_columns
+from yade_scripts.model.stiffness import assemble
 
 BETA_S = 0.002
 FEW = {  # the end nodes are stiff: a sharp toe
@@ -22,6 +23,20 @@ def pulses(amplitude):
     t = np.arange(0.0, 3.0, 0.01)
     place = np.sin(2.0 * np.pi * t) * np.exp(-(((t - 1.5) / 0.7) ** 2)) / (2.0 * np.pi) ** 2
     return t, -amplitude * np.gradient(np.gradient(place, t), t)
+
+
+def slow(peak_m_s2):
+    """A push that grows in 3 s and stays for 5 s."""
+    t = np.linspace(0.0, 8.0, 801)
+    return t, peak_m_s2 * 0.5 * (1.0 - np.cos(np.pi * np.minimum(t / 3.0, 1.0)))
+
+
+def same_matrices(scene, mass, k, c):
+    """M, K and C of a plane are those of its scene."""
+    found = assemble(scene)
+    assert mass == pytest.approx(found.mass)
+    for one, other in zip((k, c), found.dense(), strict=True):
+        assert one == pytest.approx(other, rel=1e-9, abs=1e-9 * np.abs(other).max())
 
 
 def agreed(config, scene, model, amplitude, fraction):

@@ -102,6 +102,27 @@ def used(text):
     return {*known.values(), *(_dotted(node, known) for node in every)}
 
 
+def imports(text, own=""):
+    """Dotted names that a source imports: late, relative to its package `own`, or by a text.
+
+    What a module is asked for stands behind its name. Without `own` no relative one counts.
+    """
+    tree, loaders = ast.parse(text), {"import_module", "__import__"}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (one.name for one in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            loaders |= {one.asname for one in node.names if one.name in loaders and one.asname}
+            above = own.split(".")[: own.count(".") + 2 - node.level] if node.level else []
+            base = [*above, *filter(None, [node.module])]
+            if own or not node.level:
+                yield from (".".join([*base, one.name]) for one in node.names)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and ast.unparse(node.func).rpartition(".")[2] in loaders:
+            every = (getattr(one, "value", None) for one in ast.walk(node))
+            yield from (said for said in every if isinstance(said, str))
+
+
 def _module(name):
     return {one for one in MODULES if name == one or name.startswith(f"{one}.")}
 

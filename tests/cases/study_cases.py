@@ -1,8 +1,11 @@
-"""The study's rigid block before its elastic building, for tests that are of these."""
+"""The study's rigid block before its elastic building, and a pulse, for tests of these."""
 
-from rocking import Case
+import numpy as np
+import pytest
+from rocking import Case, Motion
 from rocking.configuration import config
 from rocking.configuration.study import as_in_the_study
+from rocking.records import Record
 
 # a façade with whatever makes one uneven: a gable, steps, openings, ties, a floor
 UNEVEN = {
@@ -28,3 +31,14 @@ def study_case(model, given=None):
 def study_settings(given=None):
     """Resolved configuration on the study's keys, with those given laid over them."""
     return config.resolve(as_in_the_study(given))
+
+
+def sine_pulse():
+    """One sine of 0.8 s, which pulls a façade outward."""
+    t = 0.01 * np.arange(160)
+    return Motion(Record("pulse", -np.sin(2.5 * np.pi * t) * (t < 0.8), 0.01, source="file"))
+
+
+def three(value, expected):
+    """Equal to three figures."""
+    assert value == pytest.approx(expected, rel=5e-4), (value, expected)

@@ -15,17 +15,12 @@ from rocking import Case, Curve, Motion, Variant, collapse_curve, history
 from rocking.collapse.curve import strategy
 from rocking.collapse.scan import scan_settings
 from rocking.configuration.config import ConfigError
-from rocking.records import Record, RecordError
-from study_cases import study_case
+from rocking.records import RecordError
+from study_cases import sine_pulse, study_case
 
 from yade_scripts.model import floor_motions
 
-
-@pytest.fixture(scope="module")
-def pulse():
-    """One sine of 0.8 s, which pulls a façade outward."""
-    t = 0.01 * np.arange(160)
-    return Motion(Record("pulse", -np.sin(2.5 * np.pi * t) * (t < 0.8), 0.01, source="file"))
+pulse = pytest.fixture(sine_pulse, scope="module")
 
 
 @pytest.fixture(scope="module")

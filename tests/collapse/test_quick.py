@@ -6,6 +6,7 @@ from rocking import Motion, collapse_curve, collapse_curves
 from rocking.collapse import search
 from rocking.collapse.quick import crossings
 from rocking.records import Record
+from study_cases import sine_pulse as pulse
 from study_cases import study_case
 
 SETTINGS = {"level_ratio": 0.02, "beyond": 1.35, "max_pga_g": 3.0, "realisations": 7}
@@ -14,11 +15,6 @@ SETTINGS = {"level_ratio": 0.02, "beyond": 1.35, "max_pga_g": 3.0, "realisations
 def case(model):
     given = {"return_wall.building_mass_kg": 77000.0, "smdof.tail_s": 1.0}
     return study_case(model, given | {"numerics.after_motion_s": 3.0, "ida.max_pga_g": 3.0})
-
-
-def pulse():
-    t = 0.01 * np.arange(160)
-    return Motion(Record("pulse", -np.sin(2.5 * np.pi * t) * (t < 0.8), 0.01, source="file"))
 
 
 @pytest.mark.parametrize("model", ["W1", "W2"])

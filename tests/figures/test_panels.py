@@ -8,13 +8,6 @@ from matplotlib.colors import to_rgb
 from rocking.figures import panels
 
 
-@pytest.fixture
-def axis():
-    figure, axis = plt.subplots()
-    yield axis
-    plt.close(figure)
-
-
 @pytest.mark.parametrize(
     ("count", "shape", "below"),
     [(1, (1, 1), [0]), (3, (1, 3), [0, 1, 2]), (7, (2, 4), [3, 4, 5, 6])],

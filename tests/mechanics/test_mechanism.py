@@ -11,13 +11,9 @@ from rocking.mechanics.closed_forms import (
     capacity_interlocking,
     capacity_rigid,
 )
+from study_cases import three
 
 WALL = PlainFacade(height_m=6.0, thickness_m=0.6, weight_n=100e3)
-
-
-def three(value, expected):
-    """Equal to three figures."""
-    assert value == pytest.approx(expected, rel=5e-4), (value, expected)
 
 
 def test_free_facade_by_hand():

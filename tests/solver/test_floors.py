@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from both_solvers import BETA_S, FEW, agreed, pulses
+from both_solvers import BETA_S, FEW, agreed, pulses, same_matrices, slow
 from rocking.configuration.config import ConfigError
 from rocking.solver.plane import matrices, to_plane
 from rocking.solver.runs import Motions, history
@@ -24,12 +24,6 @@ def floored(*rows, model="W1", build=True, **sections):
     facade = {**sections.pop("facade", {}), "floors": list(rows)}
     config = resolved(facade=facade, **sections)
     return config, facade_scene(config, model, BETA_S) if build else None
-
-
-def slow(peak_m_s2):
-    """A push that grows in 3 s and stays for 5 s."""
-    t = np.linspace(0.0, 8.0, 801)
-    return t, peak_m_s2 * 0.5 * (1.0 - np.cos(np.pi * np.minimum(t / 3.0, 1.0)))
 
 
 CAPACITIES = {
@@ -74,11 +68,7 @@ def test_matrices_of_the_plane_are_those_of_the_scene(model):
     facade = {"ties": [{"height_m": 5.0, "diameter_mm": 12.0}]}
     rows = [{**ROOF, "mass_t": 3.0}, {**ROOF, "height_m": 3.24}]
     _, scene = floored(*rows, model=model, facade=facade, numerics=FEW)
-    mass, k, c = matrices(to_plane(scene))
-    found = assemble(scene)
-    assert mass == pytest.approx(found.mass)
-    for one, other in zip((k, c), found.dense(), strict=True):
-        assert one == pytest.approx(other, rel=1e-9, abs=1e-9 * np.abs(other).max())
+    same_matrices(scene, *matrices(to_plane(scene)))
 
 
 def test_energy_of_the_plane():

@@ -43,13 +43,6 @@ def test_the_catalogue_finds_what_it_asks_for():
     assert (ROOT / "config" / "README.md").is_file()
 
 
-def test_what_ci_takes_from_elsewhere_is_named_by_its_commit():
-    text = "".join(p.read_text("utf-8") for p in (ROOT / ".github/workflows").glob("*.yml"))
-    used = re.findall(r"uses: *(\S+)", text)
-    assert used
-    assert all(re.fullmatch(r"[\w/-]+@[0-9a-f]{40}", action) for action in used)
-
-
 @pytest.mark.yade
 @pytest.mark.slow
 def test_the_trial_configuration_runs(folder):

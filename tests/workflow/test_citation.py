@@ -38,6 +38,9 @@ def test_every_file_states_the_same_title_and_licence():
     assert {cff["license"], zenodo["license"]} == {named}
     assert codemeta["license"] == f"https://spdx.org/licenses/{named}"
     assert text("LICENSE").startswith(f"{named} License\n")
+    licence = " ".join(text("LICENSE").split())
+    assert "to deal in the Software without restriction" in licence
+    assert {"cff-version", "message", "title", "authors"} <= set(cff)  # required by CFF 1.2
 
 
 @pytest.mark.parametrize(

@@ -129,15 +129,7 @@ def test_a_misspelt_target_is_told_the_nearest(tmp_path, target, told):
     assert "Traceback" not in done.stderr
 
 
-def test_a_file_where_results_belong_is_one_line(tmp_path):
-    (tmp_path / "results").write_text("")
-    done = snakemake(tmp_path, "-n", "--", "check")
-    assert (done.returncode, len(lines(done, "error:"))) == (1, 1)
-    assert "results is no folder" in done.stderr
-    assert "Traceback" not in done.stderr
-
-
-@pytest.mark.parametrize("name", ["results/none", "results/.shared", ".snakemake"])
+@pytest.mark.parametrize("name", ["results", "results/none", "results/.shared", ".snakemake"])
 def test_a_file_where_a_folder_belongs_is_one_line(tmp_path, name):
     (tmp_path / name).parent.mkdir(exist_ok=True)
     (tmp_path / name).write_text("")

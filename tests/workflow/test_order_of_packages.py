@@ -1,7 +1,8 @@
 """The floors of the house: no package stands on one that stands on it, and no file on itself."""
 
-import ast
 from collections import defaultdict
+
+from code_rules import imports
 
 from yade_scripts.sources import PACKAGES
 
@@ -25,24 +26,10 @@ def imported(name):
     """Modules of the package that one imports, also within its functions."""
     path = MODULES[name]
     package = name if path.name == "__init__.py" else name.rpartition(".")[0]
-    loaders, tree = {"import_module"}, ast.parse(path.read_text("utf-8"))
-    for node in ast.walk(tree):
-        if isinstance(node, ast.ImportFrom):
-            loaders |= {one.asname for one in node.names if one.name in loaders and one.asname}
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Call) and ast.unparse(node.func).rpartition(".")[2] in loaders:
-            said = {one.value for one in ast.walk(node) if isinstance(one, ast.Constant)}
-            yield from (one for one in said if one in MODULES)
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names if alias.name in MODULES)
-        elif isinstance(node, ast.ImportFrom):
-            above = package.split(".")[: len(package.split(".")) - node.level + 1]
-            base = ".".join([*(above if node.level else []), *filter(None, [node.module])])
-            for alias in node.names:
-                one = f"{base}.{alias.name}"
-                found = one if one in MODULES else base
-                if found in MODULES and found != name:
-                    yield found
+    for one in imports(path.read_text("utf-8"), package):
+        found = one if one in MODULES else one.rpartition(".")[0]
+        if found in MODULES and found != name and not one.endswith("."):  # a text's beginning
+            yield found
 
 
 STANDS_ON = {name: set(imported(name)) for name in MODULES}

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from code_rules import as_python
+from code_rules import as_python, imports
 from rocking.configuration.targets import targets
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -30,24 +30,7 @@ LIMIT_S = 300.0
 
 def imported(text, own=""):
     """Studies that a source imports by name: late, relative to its package `own`, or by a text."""
-    found, tree, loaders = set(), ast.parse(text), {"import_module", "__import__"}
-    for node in ast.walk(tree):
-        modules = []
-        if isinstance(node, ast.Import):
-            modules = [one.name for one in node.names]
-        elif isinstance(node, ast.ImportFrom):
-            above = own.split(".")[: len(own.split(".")) - node.level + 1] if node.level else []
-            base = [*above, *filter(None, [node.module])]
-            modules = [".".join([*base, one.name]) for one in node.names]
-            loaders |= {one.asname for one in node.names if one.name in loaders and one.asname}
-        found |= {name.split(".")[1] for name in modules if name.startswith("studies.")}
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Call) and ast.unparse(node.func).rpartition(".")[2] in loaders:
-            for one in ast.walk(node):
-                said = one.value if isinstance(one, ast.Constant) else ""
-                if isinstance(said, str) and re.match(r"studies\.\w", said):
-                    found.add(said.split(".")[1])
-    return found
+    return {one.split(".")[1] for one in imports(text, own) if re.match(r"studies\.[\w*]", one)}
 
 
 def files_named(text):

@@ -163,6 +163,25 @@ def two_routes(case, rule):
     )  # what hangs by the ground too
 
 
+def by_both(monkeypatch, case, factors):
+    """Hold peaks of a case in YADE against the compiled solver's, which have to repeat."""
+    found = planar(monkeypatch, case, [f * e for f in factors for e in (1.0, 1.0001)])
+    assert found[1::2] == pytest.approx(found[::2], rel=0.003)
+    time_s, columns = recorded(case)
+    got = in_yade(
+        "twoway_cases",
+        "shaken",
+        config={key: case[key] for key in case if key not in ("model", "beta_s")},
+        runs=[(case["model"], MASS_KG, factor) for factor in factors],
+        time_s=time_s.tolist(),
+        columns={name: row.tolist() for name, row in columns.items()},
+    )
+    assert {run["status"] for run in got} == {"ok"}
+    assert [run["peak"] for run in got] == pytest.approx(found[::2], rel=0.01)
+    assert found[2] > 0.05
+    assert case["beta_s"] == BETA_S  # that of `twoway_cases`
+
+
 SHAKEN = {  # factors on the record at which histories repeat, and YADE's step
     ("before walls", "W2"): ([0.3, 0.5], 0.05),
     ("before walls", "W2m"): ([0.3, 0.5], 0.1),
@@ -184,20 +203,7 @@ def test_yade_and_the_compiled_solver(monkeypatch, kind, model):
     factors, step = SHAKEN[kind, model]
     nodes = 17 if kind == "leaning" else 5  # a course's joint is a line in the compiled solver
     case = part(model, KINDS[kind], step_fraction=step, nodes_thickness=nodes)
-    found = planar(monkeypatch, case, [f * e for f in factors for e in (1.0, 1.0001)])
-    assert found[1::2] == pytest.approx(found[::2], rel=0.003)
-    time_s, columns = recorded(case)
-    got = in_yade(
-        "twoway_cases",
-        "shaken",
-        config={key: case[key] for key in case if key not in ("model", "beta_s")},
-        runs=[(model, MASS_KG, factor) for factor in factors],
-        time_s=time_s.tolist(),
-        columns={name: row.tolist() for name, row in columns.items()},
-    )
-    assert {run["status"] for run in got} == {"ok"}
-    assert [run["peak"] for run in got] == pytest.approx(found[::2], rel=0.01)
-    assert found[2] > 0.05
+    by_both(monkeypatch, case, factors)
 
 
 @pytest.mark.yade

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from rocking.configuration.config import ConfigError
 from rocking.mechanics.blocks import toppling
-from test_parts import BETA_S, MASS_KG, part, planar, recorded, two_routes
-from yade_process import in_yade, resolved
+from test_parts import by_both, part, two_routes
+from yade_process import resolved
 
 from yade_scripts.model.models import build_scene
 from yade_scripts.model.scene import to_json
@@ -103,22 +103,7 @@ def test_stiffness_and_damping_by_two_routes():
 @pytest.mark.parametrize("name", WEDGES)
 def test_yade_and_the_compiled_solver(monkeypatch, name):
     """Peaks within 1 % of each other under a recorded motion, where they repeat."""
-    case, factors = case_of(name), WEDGES[name][2]
-    found = planar(monkeypatch, case, [f * e for f in factors for e in (1.0, 1.0001)])
-    assert found[1::2] == pytest.approx(found[::2], rel=0.003)
-    time_s, columns = recorded(case)
-    got = in_yade(
-        "twoway_cases",
-        "shaken",
-        config={key: case[key] for key in case if key not in ("model", "beta_s")},
-        runs=[(case["model"], MASS_KG, factor) for factor in factors],
-        time_s=time_s.tolist(),
-        columns={key: row.tolist() for key, row in columns.items()},
-    )
-    assert {run["status"] for run in got} == {"ok"}
-    assert [run["peak"] for run in got] == pytest.approx(found[::2], rel=0.01)
-    assert found[2] > 0.05
-    assert case["beta_s"] == BETA_S
+    by_both(monkeypatch, case_of(name), WEDGES[name][2])
 
 
 @pytest.mark.parametrize(

@@ -2,17 +2,16 @@
 
 import numpy as np
 import pytest
+from both_solvers import BETA_S, FEW, slow
 from rocking.configuration.config import ConfigError
 from rocking.solver import Motions, history, to_plane
-from test_shape import DOOR, SIDE, STEP, WINDOW, inside
+from test_shape import DOOR, SIDE, STEP, WINDOW, summed
 from yade_process import resolved
 
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.shape import shape_of
 
-BETA_S = 0.002
-SHARP = {"nodes_thickness": 3, "nodes_height": 3, "nodes_per_block": 3, "after_motion_s": 0.5}
 CUT = {
     "a setback between hinges": {"thickness_steps": [STEP]},
     "inner face flush": {"thickness_steps": [STEP], "flush_face": "inner"},
@@ -23,27 +22,6 @@ CUT = {
         "gable_height_m": 1.5,
     },
 }
-
-
-def slow(peak_m_s2):
-    """A push that grows in 3 s and stays for 5 s."""
-    t = np.linspace(0.0, 8.0, 801)
-    return t, peak_m_s2 * 0.5 * (1.0 - np.cos(np.pi * np.minimum(t / 3.0, 1.0)))
-
-
-def summed(facade, low, high):
-    """Mass, centroid and moments of the cells of a drawing between two heights."""
-    axes = [
-        np.arange(a + 0.5 * step, b, step)
-        for a, b, step in ((-2.2, 2.2, 0.05), (0.0, 0.375, 0.025), (low, high, 0.02))
-    ]
-    grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
-    kept = grid[inside(facade, *grid.T)]
-    cell = facade["density_kg_m3"] * 0.05 * 0.025 * 0.02
-    about = kept - kept.mean(axis=0)
-    second = about.T @ about
-    tensor = cell * (np.trace(second) * np.eye(3) - second)
-    return cell * len(kept), kept.mean(axis=0), tensor
 
 
 @pytest.mark.parametrize("name", CUT)
@@ -72,7 +50,7 @@ def test_joints_have_what_both_pieces_have():
     assert shape.joint_at(4.5) == pytest.approx((0.125, 0.375, 1.0))
     wide = {"openings": [{"z_m": 2.5, "width_m": 4.398, "height_m": 1.0}], "hinges_m": [3.0]}
     inner = {"thickness_steps": [{"z_m": 2.0, "thickness_m": 0.25}], "hinges_m": [2.0]}
-    config = resolved(facade=inner, models=["W1"], numerics=SHARP)
+    config = resolved(facade=inner, models=["W1"], numerics=FEW)
     nodes = facade_scene(config, "W1", BETA_S).nodes
     at = np.isclose(nodes.position_m[:, 2], 2.0) & (nodes.normal[:, 2] > 0.5)
     jkn = 1.8e9 / (0.5 * 6.48)
@@ -105,7 +83,7 @@ def test_vertical_bending_over_a_setback(name):
     facade = {"height_m": 6.0, "thickness_m": 0.4, "e_mpa": 1e5, **own}
     facade["thickness_steps"] = [{"z_m": 3.0, "thickness_m": 0.3}]
     facade |= {"hinges_m": [hinge], "floors": [{**HELD, "stiffness_kn_m": 1e6}]}
-    config = resolved(facade=facade, models=["W1"], numerics=SHARP)
+    config = resolved(facade=facade, models=["W1"], numerics=FEW)
     scene, shape = facade_scene(config, "W1", BETA_S), shape_of(config["facade"])
     (m1, c1, *_), (m2, c2, *_) = shape.pieces
     w1, w2, r, y_j = (
@@ -129,7 +107,7 @@ def test_a_gable_alone():
     """m = ρ w h b/2 with its centroid at h/3; sums over cells; λ = (b/2)/(h/3) under a push."""
     facade = {"outline": "triangle", "sides": "two", "height_m": 2.0, "e_mpa": 1e5}
     damping = {"law": "value", "beta_s": BETA_S}
-    config = resolved(facade=facade, models=["W1"], numerics=SHARP, damping=damping)
+    config = resolved(facade=facade, models=["W1"], numerics=FEW, damping=damping)
     f = config["facade"]
     shape = shape_of(f)
     assert shape.mass_kg == pytest.approx(0.5 * 1800.0 * 2.0 * 0.375 * 4.4)

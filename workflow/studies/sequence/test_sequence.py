@@ -4,8 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking import Motion, history
-from rocking.records import Record
-from study_cases import study_case
+from study_cases import sine_pulse, study_case
 
 from studies.sequence import study as sequence
 
@@ -14,10 +13,7 @@ WEAK = {"return_wall.tension_mpa": 0.008, "return_wall.cohesion_mpa": 0.008}
 SETTINGS = {"first_pga_g": [0.01, 0.2, 0.6], "pause_s": 8.0}
 
 
-@pytest.fixture(scope="module")
-def pulse():
-    t = 0.01 * np.arange(160)
-    return Motion(Record("pulse", -np.sin(2.5 * np.pi * t) * (t < 0.8), 0.01, source="file"))
+pulse = pytest.fixture(sine_pulse, scope="module")
 
 
 @pytest.fixture(scope="module")

@@ -10,17 +10,12 @@ from scipy.optimize import brentq
 from studies.assess import checks
 from studies.assess.demand import RecordDemand, TableDemand, floor_demand
 from studies.assess.family import pulls_of
-from study_cases import study_settings
+from study_cases import study_settings, three
 
 WALL = overturning(PlainFacade(6.0, 0.6, 100e3))
 SPECTRUM = TableDemand(np.array([0.0, 0.2, 0.5, 3.0]), np.array([0.2, 0.5, 0.5, 0.05]))
 FLAT = TableDemand(np.array([0.0, 0.1, 9.0]), np.array([0.2, 0.5, 0.5]))
 CHAIN = {"n_dof": 2, "period_s": 0.3, "damping_ratio": 0.05}
-
-
-def three(value, expected):
-    """Equal to three figures."""
-    assert value == pytest.approx(expected, rel=5e-4), (value, expected)
 
 
 def numbers(check):

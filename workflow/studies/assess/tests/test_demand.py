@@ -17,16 +17,10 @@ from studies.assess.demand import (
     largest_displacement,
 )
 from studies.assess.inputs import check_demand
+from study_cases import three
+from test_checks import CHAIN, SPECTRUM
 
 from smdof.spectra import response_spectrum
-
-SPECTRUM = TableDemand(np.array([0.0, 0.2, 0.5, 3.0]), np.array([0.2, 0.5, 0.5, 0.05]))
-CHAIN = {"n_dof": 2, "period_s": 0.3, "damping_ratio": 0.05}
-
-
-def three(value, expected):
-    """Equal to three figures."""
-    assert value == pytest.approx(expected, rel=5e-4), (value, expected)
 
 
 def test_floor_spectrum_by_hand():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from rocking.mechanics.closed_forms import rayleigh_ratio
 from scipy.sparse.linalg import spsolve
-from studies.building.comparison import chain_top, choose_n, top_motion
+from studies.building.comparison import chain_top, top_motion
 from studies.building.history import LOADS, mass_damping_rate, modal_history
 from studies.building.model.assembly import build
 from studies.building.modes import Solver, largest_frequency
@@ -113,20 +113,6 @@ def test_wme_is_zero_for_itself_and_grows_with_a_wrong_period(ground):
         values = [e[quantity] for e in errors]
         assert values[0] == 0.0
         assert values[0] < values[1] < values[2]
-
-
-@pytest.mark.parametrize(
-    ("means", "gain", "n"),
-    [
-        ((0.40, 0.30, 0.26, 0.25, 0.245), 0.01, 4),
-        ((0.40, 0.30, 0.26, 0.25, 0.245), 0.02, 3),
-        ((0.30, 0.31, 0.32, 0.33, 0.34), 0.01, 1),
-        ((0.30, 0.32, 0.32, 0.20, 0.20), 0.01, 4),
-    ],
-)
-def test_fewest_masses_after_which_nothing_is_gained(means, gain, n):
-    rows = [(i + 1, m + shift) for i, m in enumerate(means) for shift in (-0.05, 0.05)]
-    assert choose_n(rows, gain) == n
 
 
 @pytest.mark.yade

@@ -17,6 +17,13 @@ def test_the_fewest_masses_are_chosen_whatever_the_order_of_the_rows(order):
     assert choose_n(rows, 0.005) == 6
 
 
+@pytest.mark.parametrize(
+    ("means", "n"), [((0.30, 0.31, 0.32, 0.33, 0.34), 1), ((0.30, 0.32, 0.32, 0.20, 0.20), 4)]
+)
+def test_more_masses_that_gain_nothing_yet_may_still(means, n):
+    assert choose_n(enumerate(means, 1), 0.01) == n
+
+
 def modes(along_y):
     """Modes with such shares of the mass along y."""
     ratio = np.zeros((len(along_y), 6))
