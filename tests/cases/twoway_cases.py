@@ -15,11 +15,7 @@ def chain_alone(config, ground, dt_s, beta_s=0.002):
     The façade is there, but the nodes between it and the walls are not.
     """
     scene = facade.facade_scene(config, "W2m", beta_s)
-    nodes = scene.nodes
-    kept = nodes.b == 0
-    scene = replace(
-        scene, nodes=type(nodes)(**{name: column[kept] for name, column in vars(nodes).items()})
-    )
+    scene = replace(scene, nodes=scene.nodes.select(scene.nodes.b == 0))
     time_s = np.arange(len(ground)) * dt_s
     motions = {"ground": adapter.SupportMotion(time_s, np.array(ground))}
     step, _ = simulate.choose_step(scene, config["numerics"])

@@ -50,6 +50,11 @@ class Text:
             raise self.error(len(self.lines), f"the file ends here; expected {expected}")
         return self.lines[number - 1]
 
+    def said(self):
+        """Return (number, line) of those that are neither blank nor remarks, which begin with #."""
+        every = enumerate(self.lines, 1)
+        return [(n, line) for n, line in every if line.strip() and not line.startswith("#")]
+
 
 def read_text(path):
     """Read a whole text file of bounded size: UTF-8, or Latin-1 when it is not.

@@ -100,7 +100,7 @@ def simulate(
 
     Returns
     -------
-    History
+    AdaptiveHistory
 
     Raises
     ------

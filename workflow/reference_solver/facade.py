@@ -89,12 +89,6 @@ def stack_of(case, nodes, time_s, columns, *, bounded=True):
     return StackSolver(scene, time_s, columns, bounded=bounded)
 
 
-def read_motion(path, model):
-    """Motion of the base and of the return walls, from a file of floor motions."""
-    time_s, columns = floor_motions.read(path)
-    return motion_of(time_s, columns, model)
-
-
 def motion_of(time_s, columns, model):
     """Motion of the base and of the return walls, from what `floor_motions.read` gives."""
     columns = dict(columns)
@@ -134,33 +128,36 @@ def answers(case, motion, direction, pga_g, *, nodes, tolerance):
     `motion` is (time_s, columns), as `floor_motions.read` gives it. The tolerance is that of one
     block; a stack takes the step of its solver.
     """
-    time_s, columns = motion
-    ground = columns[floor_motions.GROUND]
+    ground = motion[1][floor_motions.GROUND]
     scales = [amplitude(ground, direction, g) for g in pga_g]
-    floors = yielding.of_case(case, time_s, columns)
-    if not isinstance(floors, yielding.YieldingFloors):
-        return _answers(case, motion, scales, nodes, tolerance)
-    found = [
-        _answers(case, (time_s, floors.at(scale)), [1.0], nodes, tolerance) for scale in scales
-    ]
-    d_over_b, status, end_s = zip(*found, strict=True)
-    return Outcomes(np.concatenate(d_over_b), sum(status, []), np.concatenate(end_s))
+    found = _histories(case, motion, scales, nodes, tolerance=tolerance)
+    found.d_over_b[[word == "failed" for word in found.status]] = np.nan
+    return found
 
 
-def _answers(case, motion, scales, nodes, tolerance):
-    """`Outcomes` at some factors on floor motions."""
+def _histories(case, motion, scales, nodes, **how):
+    """`Outcomes` at some factors on floor motions; of one that failed the peak up to there.
+
+    What is told by name is of the solver of one block alone.
+    """
     time_s, columns = motion
-    if one_block(case):
-        moving, wall = motion_of(time_s, columns, case["model"]), wall_of(case, nodes)
-        found = simulate_batch(wall, moving, scales, tolerance=tolerance, stop_d_over_b=1.0)
-        peaks = np.minimum(found.peak_d_over_b, 1.0)
-        status = [{"finished": "ok"}.get(word, word) for word in found.status]
-        end_s = found.end_time_s
+    floors = yielding.of_case(case, time_s, columns)
+    if isinstance(floors, yielding.YieldingFloors):
+        moved = [(floors.at(scale), [1.0]) for scale in scales]
     else:
-        found = stack_of(case, nodes, time_s, columns).peaks(scales)
-        peaks, status, end_s = found.d_over_b.copy(), list(found.status), found.end_s
-    peaks[[word == "failed" for word in status]] = np.nan
-    return Outcomes(peaks, status, np.asarray(end_s))
+        moved = [(columns, scales)]
+    rows = []
+    for own, factors in moved:
+        if one_block(case):
+            moving, wall = motion_of(time_s, own, case["model"]), wall_of(case, nodes)
+            found = simulate_batch(wall, moving, factors, stop_d_over_b=1.0, **how)
+            words = [{"finished": "ok"}.get(word, word) for word in found.status]
+            rows.append((np.minimum(found.peak_d_over_b, 1.0), words, found.end_time_s))
+        else:
+            found = stack_of(case, nodes, time_s, own).peaks(factors)
+            rows.append((found.d_over_b, list(found.status), found.end_s))
+    d_over_b, status, end_s = zip(*rows, strict=True)
+    return Outcomes(np.concatenate(d_over_b), sum(status, []), np.concatenate(end_s))
 
 
 def ensemble_peaks(case, motion_path, direction, pga_g, factors, *, nodes=17, dt_s=4e-4):
@@ -168,24 +165,7 @@ def ensemble_peaks(case, motion_path, direction, pga_g, factors, *, nodes=17, dt
 
     `dt_s` is the step of one block; a stack takes that of its solver.
     """
-    time_s, columns = floor_motions.read(motion_path)
-    ground = columns[floor_motions.GROUND]
+    motion = floor_motions.read(motion_path)
+    ground = motion[1][floor_motions.GROUND]
     scales = amplitude(ground, direction, pga_g) * np.asarray(factors, float)
-    floors = yielding.of_case(case, time_s, columns)
-    if isinstance(floors, yielding.YieldingFloors):
-        moved = [(floors.at(scale), np.ones(1)) for scale in scales]
-    else:
-        moved = [(columns, scales)]
-    found = [_peaks(case, (time_s, own), at, nodes, dt_s) for own, at in moved]
-    return np.concatenate(found)
-
-
-def _peaks(case, motion, scales, nodes, dt_s):
-    """Largest d/b at some factors on floor motions, see `ensemble_peaks`."""
-    time_s, columns = motion
-    if not one_block(case):
-        return stack_of(case, nodes, time_s, columns).peaks(scales).d_over_b
-    motion = motion_of(time_s, columns, case["model"])
-    how = {"steps": Steps(fixed_s=dt_s), "stop_d_over_b": 1.0}
-    result = simulate_batch(wall_of(case, nodes), motion, scales, **how)
-    return np.minimum(result.peak_d_over_b, 1.0)
+    return _histories(case, motion, scales, nodes, steps=Steps(fixed_s=dt_s)).d_over_b

@@ -39,7 +39,6 @@ MASONRY = {
     "brick and lime mortar": (0.050, 0.130),
     "half-solid brick and cement mortar": (0.080, 0.170),
 }
-UNKNOWN = (0.20, 0.10, 0.30)  # where nothing is known: two-storey masonry, middle and ends
 TENSILE = 1.5  # tensile strength over τ0, of diagonal cracking
 SLENDER, SQUAT = 1.5, 1.0  # b of piers at least so many times as high as long, and no higher
 

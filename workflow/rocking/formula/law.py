@@ -7,7 +7,6 @@ atlas has a second sum for the ratio of the two; with a building that yields `yi
 its strength does.
 """
 
-import json
 import math
 from dataclasses import dataclass
 from functools import lru_cache
@@ -44,12 +43,8 @@ NOT_FOR = {  # dimensions that a model does not know
 @lru_cache(maxsize=4)
 def read(path=FILE):
     """Content of a formula's file; a ValueError of one line where the file is not of that kind."""
-    try:
-        law = json.loads(Path(path).read_text("utf-8"))
-        law["models"], law["limits"], law["bases"]
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise ValueError(f"{path}: expected the formula's file (target atlas): {error}") from None
-    return law
+    keys = ("models", "limits", "bases")
+    return yielding.content(path, keys, "the formula's file (target atlas)")
 
 
 def check_limits(row, model, law):

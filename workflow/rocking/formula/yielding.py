@@ -22,15 +22,20 @@ from rocking.shipped import shipped
 FILE = shipped("config/formula_yielding.json")
 
 
+def content(path, keys, what):
+    """Content of a formula's file; a ValueError of one line where it has not all of some keys."""
+    try:
+        law = json.loads(Path(path).read_text("utf-8"))
+        [law[key] for key in keys]
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise ValueError(f"{path}: expected {what}: {error}") from None
+    return law
+
+
 @lru_cache(maxsize=4)
 def read(path=FILE):
     """Content of the file on yielding; a ValueError of one line for a file of another kind."""
-    try:
-        law = json.loads(Path(path).read_text("utf-8"))
-        law["models"], law["lowest"]
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise ValueError(f"{path}: expected the formula of yielding buildings: {error}") from None
-    return law
+    return content(path, ("models", "lowest"), "the formula of yielding buildings")
 
 
 def excess(pga_g, ratio, part):
@@ -38,7 +43,7 @@ def excess(pga_g, ratio, part):
     return math.log(pga_g / ratio) + part["a"]
 
 
-def log_ratio(pga_g, ground_g, ratio, model, law=None):
+def log_ratio(pga_g, ground_g, ratio, model):
     """ln r, and its standard error.
 
     Parameters
@@ -49,12 +54,10 @@ def log_ratio(pga_g, ground_g, ratio, model, law=None):
         V/W.
     model : str
         One of the file's.
-    law : dict, optional
-        Of `read`.
 
     An OutsideError of one line for a strength that was not tried.
     """
-    law = law or read()
+    law = read()
     if ratio < law["lowest"]:
         raise OutsideError(
             f"formula: base_shear_ratio = {ratio:.4g}: the formula has {law['lowest']:g} and more"

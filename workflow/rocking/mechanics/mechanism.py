@@ -22,7 +22,6 @@ from scipy.optimize import brentq
 
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 
-WHOLE = "whole façade about its base"  # its name: what the dynamic models turn by
 TINY = 1e-30  # complex step
 COURSES = 400  # points at which a capacity curve is searched for its zero
 AT_END = 1e-9  # of a pull's reach: what rounding may add where it is evaluated at its end

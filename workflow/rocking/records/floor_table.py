@@ -147,11 +147,7 @@ def floors_of(row, record):
 def _rows(path):
     """Rows of the table as dictionaries of text; cells apart as in a records table."""
     text = read_text(path)
-    lines = [
-        (number, line)
-        for number, line in enumerate(text.lines, 1)
-        if line.strip() and not line.startswith("#")
-    ]
+    lines = text.said()
     header = lines[0][1] if lines else ""
     separator = next((mark for mark in SEPARATED if mark in header), ",")
     columns = split_line(text, 1, header, separator)

@@ -107,11 +107,7 @@ def read_table(path) -> dict[str, Row]:
         Naming the table, the line and what was expected.
     """
     text = read_text(path)
-    lines = [
-        (number, line)
-        for number, line in enumerate(text.lines, 1)
-        if line.strip() and not line.startswith("#")
-    ]
+    lines = text.said()
     if not lines:
         raise RecordError(f"{text.path}: no header line")
     number, header = lines[0]

@@ -21,11 +21,6 @@ CHECKS = (  # keys of the tables; their names are `table.check` of the catalogue
 )
 
 
-def slv_pga(candidate, sections, demand):
-    """PGA at which the non-linear SLV check of one mechanism fails [g], as `least` has it."""
-    return Slv(sections, demand)(candidate)
-
-
 def code_checks(candidate, sections, demand, confidence_factor=None):
     """Every check of one mechanism under one demand of the ground, but the oscillator's.
 

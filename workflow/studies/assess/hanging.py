@@ -99,11 +99,11 @@ class Wedge(NamedTuple):
         return root, sin
 
 
-def hanging(name, wedge, masses, loads=(), pulls=(), thrust_n=0.0, thrust_m=None):
+def hanging(name, wedge, masses, loads=(), pulls=(), thrust_n=0.0):
     """Horizontal bending of a `Wedge`, see above; its control point is the top where it opens.
 
     Masses and loads are (weight_n, x_m, y_m, z_m), pulls (force_n, x_m, z_m, slack_m, reach_m) on
-    its outer face. The thrust acts at a height, by default at the top of the cracks.
+    its outer face. The thrust acts at the top of the cracks.
     """
     carried = [row for row in (*masses, *loads) if row[0] > 0.0]
     weights = tuple(Weight(w, wedge.move(x, y, z)) for w, x, y, z in carried)
@@ -116,8 +116,7 @@ def hanging(name, wedge, masses, loads=(), pulls=(), thrust_n=0.0, thrust_m=None
         for force, x, z, slack, reach in pulls
     ]
     if thrust_n > 0.0:
-        height = wedge.top_m if thrust_m is None else thrust_m
-        held.append(Pull(thrust_n, wedge.apart(height)))
+        held.append(Pull(thrust_n, wedge.apart(wedge.top_m)))
     control = wedge.move(wedge.middle_m, wedge.outer_m, wedge.top_m)
     shorter = min(wedge.middle_m - wedge.left_m, wedge.right_m - wedge.middle_m)
     largest = 0.99 * math.asin(shorter / math.hypot(shorter, wedge.depth_m))

@@ -53,11 +53,6 @@ def is_far(table):
     return table["why_not"].fillna("") == FAR
 
 
-def label(one):
-    """Short name of a mechanism, of letters, digits, `_` and `.`; unique within a façade."""
-    return one.part
-
-
 def settled(case, own):
     """A case as it is shaken, by the keys SETTLED of section assessment.
 
@@ -116,7 +111,7 @@ def chosen(ranked, tried, demand_g, within):
     rows = []
     for pga_g, one, _ in ranked:
         why = why_not(one, pga_g, within * demand_g, tried)
-        about = label(one), one.name, *heights(one), one.side, pga_g
+        about = one.part, one.name, *heights(one), one.side, pga_g
         about = *about, *(getattr(one, key) for key in (*EXTENT, "at_foot"))
         rows.append((*about, *limits_with(one), int(not why[0]), *why))
     return pd.DataFrame(rows, columns=COLUMNS)

@@ -45,11 +45,7 @@ def read_spectrum(path):
     Lines that begin with # are remarks. Periods ascend from 0, where the value is the PGA, to 1 s
     or beyond. A SpectrumError names file and line and what was expected.
     """
-    lines = [
-        (n, s)
-        for n, s in enumerate(read_text(path).lines, 1)
-        if s.strip() and not s.startswith("#")
-    ]
+    lines = read_text(path).said()
     if not lines or tuple(w.strip() for w in lines[0][1].split(",")) != COLUMNS:
         found = lines[0][1][:60] if lines else "nothing"
         raise SpectrumError(f"{path}: columns '{found}'; expected {','.join(COLUMNS)}")

@@ -44,14 +44,10 @@ def readings(mechanism):
 
 
 class Counted(NamedTuple):
-    """What counts of a mechanism: it, or it without links that give way early.
-
-    PGAs are those of the SLV check [g].
-    """
+    """What counts of a mechanism: it, or it without links that give way early."""
 
     mechanism: Mechanism
-    pga_g: float
-    letter_pga_g: float  # with every link that it has
+    pga_g: float  # of the SLV check
     left_out: int  # links
 
 
@@ -95,13 +91,13 @@ class Slv:
     def reading(self, candidate):
         """`Counted` of a candidate: that of the largest PGA, the fewest links left out."""
         if candidate.mechanism.multiplier() <= 0.0:
-            return Counted(candidate.mechanism, 0.0, 0.0, 0)
+            return Counted(candidate.mechanism, 0.0, 0)
         if not candidate.mechanism.falls():
-            return Counted(candidate.mechanism, math.inf, math.inf, 0)
+            return Counted(candidate.mechanism, math.inf, 0)
         every = readings(candidate.mechanism)
         pga_g = [self._pga_g(one, candidate) for one in every]
         best = int(np.argmax(pga_g))
-        return Counted(every[best], float(pga_g[best]), float(pga_g[0]), best)
+        return Counted(every[best], float(pga_g[best]), best)
 
     def _pga_g(self, mechanism, candidate):
         """PGA at which the check of one reading fails [g]; as `checks.nonlinear` has it."""

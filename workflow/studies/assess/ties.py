@@ -29,11 +29,10 @@ from studies.assess import anchors, weakest
 from studies.assess.dynamic_check import FINE, ROUGH
 from studies.assess.family import Family
 from studies.assess.rods import row_of_rods
-from studies.assess.shaken import label
 from studies.assess.sites import LEAST_PART_M
 from studies.assess.slv import Slv, read_as
 from studies.assess.ties_built import built
-from studies.assess.ties_grown import LEAST_SHARE, MOST_SHARE, grown, lowered, with_force
+from studies.assess.ties_grown import LEAST_SHARE, MOST_SHARE, grown, lowered, sum_n, with_force
 from yade_scripts.model.facades import Facade
 
 CLOSE = 0.005  # relative, of a row's least force
@@ -164,8 +163,8 @@ class Tied:
         for site in self._places(rows):
             one = family.at(site)
             read = self.slv.reading(one)
-            if read.pga_g < pga_g.get(label(one), math.inf):
-                known[label(one)], pga_g[label(one)] = read_as(one, read), read.pga_g
+            if read.pga_g < pga_g.get(one.part, math.inf):
+                known[one.part], pga_g[one.part] = read_as(one, read), read.pga_g
         return known, pga_g
 
     def failing(self, rows):
@@ -211,7 +210,7 @@ class Tied:
             if not rows or not some:
                 continue
             fewer, left = self._least(some)
-            if fewer and set(left) <= set(beyond) and _sum_n(fewer) < _sum_n(rows):
+            if fewer and set(left) <= set(beyond) and sum_n(fewer) < sum_n(rows):
                 rows, beyond = fewer, left
         return rows, beyond
 
@@ -241,11 +240,6 @@ class Tied:
         if holds(0.0):
             return 0.0
         return _halved(holds, LEAST_SHARE * self.weight_n, rows[k].force_n)
-
-
-def _sum_n(rows):
-    """Sum of the forces of rows [N]."""
-    return sum(row.force_n for row in rows)
 
 
 def levels_of(sections):

@@ -76,8 +76,8 @@ def _of_these(shaken, rows, failing, own):
     """
     every = [*((k,) for k in own), *([tuple(own)] if len(own) > 1 else [])]
     which, found = (), rows
-    for some in sorted(every, key=lambda some: _sum_n(rows[k] for k in some)):
-        stronger = raised(shaken, rows, some, failing, _sum_n(found) if which else math.inf)
+    for some in sorted(every, key=lambda some: sum_n(rows[k] for k in some)):
+        stronger = raised(shaken, rows, some, failing, sum_n(found) if which else math.inf)
         which, found = (which, found) if stronger is None else (some, stronger)
     return which, found
 
@@ -120,7 +120,7 @@ def raised(shaken, rows, which, failing, most_n=math.inf):
 
     def allowed(steps):
         own = at(steps)
-        return _sum_n(own) < most_n and all(own[k].force_n <= strongest_n[k] for k in which)
+        return sum_n(own) < most_n and all(own[k].force_n <= strongest_n[k] for k in which)
 
     low, high = 0, COARSE if shaken.care == ROUGH else 1
     while True:
@@ -205,6 +205,6 @@ def first_failing(shaken, rows, models, like=None):
     return None
 
 
-def _sum_n(rows):
+def sum_n(rows):
     """Sum of the forces of rows [N]."""
     return sum(row.force_n for row in rows)

@@ -16,7 +16,6 @@ class Draw(NamedTuple):
     """One draw: a block at rest, its points turned so that y is the direction of shaking."""
 
     points_m: np.ndarray  # (n, 3) from the centre of mass
-    direction_rad: float  # of shaking, in the axes of the scan; the motion as it is drives along it
     standing: blocks.Standing  # in the plane
     inertia_m2: np.ndarray  # (3, 3) over mass, in the axes of `points_m`
     width: float = 1.0  # of what it rocks about along y, over that of the points
@@ -78,7 +77,7 @@ def draw(stated, solid, mass_kg, weakest_rad, number, specimen):
         blocks.beta(mass_kg, contact, damping),
         blocks.fallen_tilt(chain),
     )
-    return Draw(points, direction, standing, inertia, scale)
+    return Draw(points, standing, inertia, scale)
 
 
 def _standing_on(rng, points, rough):

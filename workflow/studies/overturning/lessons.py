@@ -121,18 +121,3 @@ def errors(folder, data, model):
             row |= {"fell": int(own["y"].sum()), "wrong": int(own["wrong"].sum())}
             rows.append(row | {"mean p - y": own["bias"].mean()})
     return pd.DataFrame(rows)
-
-
-def reversals(data):
-    """By specimen motions in which a test stood at a larger PGA than one that fell; all motions."""
-    tests = table.tests(data)
-    found = {}
-    for specimen in (1, 2):
-        y = known(tests, specimen)
-        own = tests.loc[y.index].assign(y=y)
-        count = 0
-        for _, part in own.groupby("motion"):
-            fell, stood = part[part["y"] > 0]["pga_g"], part[part["y"] == 0]["pga_g"]
-            count += bool(len(fell) and len(stood) and stood.max() > fell.min())
-        found[specimen] = count, own["motion"].nunique()
-    return found

@@ -1,8 +1,6 @@
 """Probability that a block falls, test by test, by the compiled planar solver."""
 
-import hashlib
 import multiprocessing
-import subprocess
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
@@ -13,6 +11,7 @@ from rocking.configuration.config import ConfigError
 from rocking.solver import peaks, stable_step, to_plane
 
 from studies.overturning import blocks, draws, table
+from studies.shared.digests import commit_of, digest
 from yade_scripts.lists import listed
 
 MODELS = ("geometry", "fitted")
@@ -87,19 +86,6 @@ def rows(found, numbers):
         for specimen, falls in found.items()
     ]
     return pd.concat(parts).sort_values(["test", "specimen"], ignore_index=True)
-
-
-def digest(*paths):
-    """SHA-256 over some files, one after the other."""
-    return hashlib.sha256(b"".join(Path(path).read_bytes() for path in paths)).hexdigest()
-
-
-def commit_of(path):
-    """Last commit that changed a file, or "none" where git knows none."""
-    command = ["git", "log", "-1", "--format=%H", "--", Path(path).name]
-    where = Path(path).resolve().parent
-    done = subprocess.run(command, cwd=where, capture_output=True, text=True, timeout=30)
-    return done.stdout.strip() or "none"
 
 
 def run(folder, data, model, cores=1):

@@ -5,6 +5,8 @@ import math
 import pandas as pd
 from rocking.collapse.probability import half_collapse, one_number
 
+from studies.shared.statements import STUDY
+
 MET = ("yes", "no", "partly", "given", "open")
 COUNTED = ("met here", "not met", "met in part", "inputs, taken over", "open")
 HEAD = "| | in the study | its value | here | met | why they differ |\n|---|---|---|---|---|---|"
@@ -73,7 +75,7 @@ def _claim(start, tables):
     for line in found.fillna("").itertuples():
         source = line.records.split(":")[0] if ":" in line.records else ""
         source = f"{SOURCES.get(source, source)}: " if source else ""
-        whose = "" if line.threshold == "the study's" else "†"
+        whose = "" if line.threshold == STUDY else "†"
         texts.append(f"{source}{line.measured}{whose}")
     return found["holds"].tolist(), "; ".join(texts)
 
@@ -152,12 +154,6 @@ def collapse(data, tables):
 
 
 BLOCKS = {"records": records, "wme": errors, "collapse": collapse}
-
-
-def figures(data):
-    """Names of the figures that the page shows."""
-    rows = [entry for section in data["sections"] for entry in section["rows"]]
-    return [entry["figure"] for entry in rows if "figure" in entry]
 
 
 def page(data, tables, about):

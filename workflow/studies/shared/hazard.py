@@ -66,10 +66,10 @@ def read_hazard(path, period_s, site=None):
     site only. A HazardError of one line names file, line and what was expected; a RecordError comes
     where the file is missing, no text, or too large.
     """
-    lines = read_text(path).lines
-    if lines[0].startswith("#") and "investigation_time" in lines[0]:
-        return _export(path, lines, period_s, site)
-    return _table(path, lines)
+    text = read_text(path)
+    if text.lines[0].startswith("#") and "investigation_time" in text.lines[0]:
+        return _export(path, text.lines, period_s, site)
+    return _table(path, text.said())
 
 
 def _fault(path, line, words):
@@ -135,9 +135,8 @@ def _refuse_implausible(path, measure, points):
             )
 
 
-def _table(path, lines):
-    """Two columns, the first named by its measure; lines that begin with # are remarks."""
-    kept = [(n, s) for n, s in enumerate(lines, 1) if s.strip() and not s.startswith("#")]
+def _table(path, kept):
+    """Two columns, the first named by its measure, of lines with their numbers."""
     if not kept:
         raise HazardError(f"{path}: no table; expected columns such as pga_g,{RATE}")
     first, heading = kept[0]

@@ -14,11 +14,9 @@ and the commit of the former. `score` sets them against outcomes.csv. docs/evide
 """
 
 import argparse
-import hashlib
 import math
 import multiprocessing
 import os
-import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping
@@ -36,6 +34,7 @@ from rocking.records import load
 from rocking.solver import Motions, history, peaks, to_plane
 from rocking.tables import read_frame, write_json
 
+from studies.shared.digests import commit_of, digest
 from studies.shared.restitution import read_archive
 from studies.validation import specimens
 from studies.validation.predicted_motions import SUITE, foot_and_top_files, shifted, table_motion
@@ -76,11 +75,6 @@ def read(folder):
     if absent:
         raise ConfigError(f"{folder}/runs.csv: expected columns {listed(absent)}")
     return specimen, runs
-
-
-def digest(paths):
-    """SHA-256 over some files, one after the other."""
-    return hashlib.sha256(b"".join(Path(path).read_bytes() for path in paths)).hexdigest()
 
 
 def shake_table(specimen, runs, folder, in_yade, cores):
@@ -238,25 +232,17 @@ def run(folder, motions=None, in_yade=False, cores=1):
     table = make(specimen, runs, motions, in_yade, cores)
     table.round(6).to_csv(folder / TABLE, index=False, float_format="%.5g")
     stated = [folder / name for name in STATED]
-    lines = [f"stated {digest(stated)}", f"predicted {digest([folder / TABLE])}"]
-    lines.append(f"stated_in {commit_of(stated)}")
+    lines = [f"stated {digest(*stated)}", f"predicted {digest(folder / TABLE)}"]
+    lines.append(f"stated_in {commit_of(*stated)}")
     (folder / DIGEST).write_text("\n".join(lines) + "\n", "utf-8")
     return table
-
-
-def commit_of(paths):
-    """Last commit that changed some files, or "none" where git knows none."""
-    command = ["git", "log", "-1", "--format=%H", "--", *(Path(p).name for p in paths)]
-    folder = Path(paths[0]).resolve().parent
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=30)
-    return done.stdout.strip() or "none"
 
 
 def unchanged(folder):
     """Whether a prediction's files are those that its digests were made of, by their name."""
     folder = Path(folder)
     words = dict(line.split() for line in (folder / DIGEST).read_text("utf-8").splitlines())
-    now = {"stated": digest(folder / n for n in STATED), "predicted": digest([folder / TABLE])}
+    now = {"stated": digest(*(folder / n for n in STATED)), "predicted": digest(folder / TABLE)}
     return {name: words.get(name) == value for name, value in now.items()}
 
 

@@ -38,8 +38,8 @@ def small(tmp_path):
     table["probability"] = table["fell"] / table["members"]
     table.to_csv(tmp_path / predictions.TABLE, index=False)
     lines = [
-        f"stated {predictions.digest(tmp_path / n for n in predictions.STATED)}",
-        f"predicted {predictions.digest([tmp_path / predictions.TABLE])}",
+        f"stated {predictions.digest(*(tmp_path / n for n in predictions.STATED))}",
+        f"predicted {predictions.digest(tmp_path / predictions.TABLE)}",
     ]
     (tmp_path / predictions.DIGEST).write_text("\n".join(lines) + "\n")
     return tmp_path

@@ -16,10 +16,9 @@ from studies.assess import (
     ties_shaken,
     ties_tables,
 )
-from studies.assess.code_checks import slv_pga
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.dynamic_check import FINE
-from studies.assess.shaken import label
+from studies.assess.slv import Slv
 from study_cases import study_case, study_settings
 
 DEMAND = CodeDemand(0.26, 2.4, 0.32, "B")
@@ -90,10 +89,8 @@ def test_the_least_row_on_a_plain_wall_brings_the_weakest_just_to_the_demand():
     weight = 1800.0 * 9.81 * 6.0 * 0.4 * 5.0
     gain = added.multiplier() - whole.multiplier()
     assert gain == pytest.approx(2.0 * row.force_n / weight, rel=1e-6)
-    known = {label(one): one for one in tied.family(rows).all()}
-    held = [
-        slv_pga(one, tied.sections, DEMAND) for name, one in known.items() if name not in beyond
-    ]
+    known = {one.part: one for one in tied.family(rows).all()}
+    held = [Slv(tied.sections, DEMAND)(one) for name, one in known.items() if name not in beyond]
     assert DEMAND.pga_g <= min(held) < 1.02 * DEMAND.pga_g
 
 
@@ -106,9 +103,9 @@ def test_with_the_rows_every_mechanism_passes_and_with_95_per_cent_of_any_it_doe
     assert rows
 
     def failing(own, share=1.0):
-        known = {label(one): one for one in tied.family(own, tied.slv).all()}
+        known = {one.part: one for one in tied.family(own, tied.slv).all()}
         least_g = share * DEMAND.pga_g
-        fails = {k for k, one in known.items() if slv_pga(one, tied.sections, DEMAND) < least_g}
+        fails = {k for k, one in known.items() if Slv(tied.sections, DEMAND)(one) < least_g}
         return fails - set(beyond)
 
     assert not failing(rows, 0.98)  # another search finds places that are weaker by so much
@@ -122,9 +119,9 @@ def test_a_gable_that_no_row_holds_is_named_and_does_not_stop_the_search():
     tall = {**PLAIN, "thickness_m": 0.3, "gable_height_m": 4.5}
     tied = ties.Tied(sections(tall), DEMAND)
     free = next(one for one in tied.family([]).all() if one.foot_m == 6.0 and one.plane)
-    assert slv_pga(free, tied.sections, DEMAND) < DEMAND.pga_g
+    assert Slv(tied.sections, DEMAND)(free) < DEMAND.pga_g
     rows, beyond = tied.least([6.0])
-    assert label(free) in beyond
+    assert free.part in beyond
     assert not set(tied.failing(rows)) - set(beyond)
 
 
@@ -216,7 +213,7 @@ def test_a_level_without_a_row_gets_one_where_no_row_that_is_there_helps():
     rows = two_rows(tied)
     rows[1] = rows[1]._replace(force_n=0.0)
     family = tied.family([rows[0], rows[1]._replace(force_n=1.0)])
-    name = label(family.part(3.0, "part"))  # above the row that is there
+    name = family.part(3.0, "part").part  # above the row that is there
     shaken = Shaken(tied, {name: ([], (0.0, 1.0), 0.05 * tied.weight_n)})
     assert ties_grown.free_levels(shaken, rows, shaken.failing(rows, "W1")) == [1]
     found, (growth,) = ties_grown.grown(shaken, rows, ["W1"])
@@ -350,7 +347,7 @@ def test_behind_a_part_are_the_rows_of_its_case():
     """Bending below a row leaves it in place by hand; shaken, the row gives, and may grow."""
     tied = ties.Tied(sections(PLAIN), DEMAND)
     rows = two_rows(tied)
-    known = {label(one): one for one in tied.family(rows).all() if one.plane}
+    known = {one.part: one for one in tied.family(rows).all() if one.plane}
     bends = next(one for one in known.values() if one.foot_m == 3.0 and one.held_m == 6.0)
     assert ties_built.held_by(bends.mechanism, rows) == []
     given = {"facade": {**PLAIN, "ties": tied.entries(rows)}, "smdof.n_dof": 3}

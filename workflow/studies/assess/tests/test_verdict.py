@@ -5,7 +5,6 @@ from types import SimpleNamespace
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.mechanics.mechanism import WHOLE
 from studies.assess.advice import damage, next_steps, thinner_is_better
 from studies.assess.catalogue import SAY
 from studies.assess.names import PLACES
@@ -24,6 +23,7 @@ from studies.assess.verdict import (
 from studies.assess.walls import named
 
 CHECKS = pd.DataFrame({"check": ["linear_ground"], "pga_demand_g": [0.2], "ratio": [1.2]})
+WHOLE = "whole façade about its base"
 SHAKEN = pd.DataFrame({"part": ["whole"], "mechanism": [WHOLE], "shaken": [1], "why_not": [""]})
 NOWHERE = {key: np.nan for key in (*PLACES, "middle_m")} | {"foot_m": 0.0, "side": 0}
 SHAKEN = SHAKEN.assign(**NOWHERE, at_foot="base", pga_fails_g=0.25)

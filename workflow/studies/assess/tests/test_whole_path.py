@@ -16,7 +16,7 @@ from scipy.integrate import cumulative_trapezoid
 from studies.assess.code_checks import family_of, governing
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.dynamic_check import checked, limits_of, verdict
-from studies.assess.shaken import cases, chosen, label
+from studies.assess.shaken import cases, chosen
 from study_cases import study_case, study_settings
 from test_language import ENGLISH_WORDS, NAMES
 
@@ -218,7 +218,7 @@ def test_yade_agrees_on_the_mechanism_and_model_that_decide(folder):
 def passes(given, motions):
     """Whether W1 passes by hand, and shaken: checks and histories as of any façade."""
     settings, demand = study_settings(given), CodeDemand(AG, F0, TC_STAR, "B")
-    known = {label(one): one for one in family_of(settings, demand).all()}
+    known = {one.part: one for one in family_of(settings, demand).all()}
     ranked = governing(known.values(), settings, demand)
     of_case = {key: given[key] for key in ("facade", "smdof", "damping")}
     case, within = study_case("W1", of_case), settings["assessment"]["shaken_within"]
