@@ -12,7 +12,7 @@ from rocking.collapse.case import Case
 from rocking.configuration import schema
 from rocking.configuration.config import resolve
 
-from yade_scripts.model import models, registry
+from yade_scripts.model import models, registry, shape
 from yade_scripts.model.facades import Facade
 from yade_scripts.sources import PACKAGES
 
@@ -139,7 +139,8 @@ def way(function):
 @pytest.mark.filterwarnings("ignore:damping.law")
 @pytest.mark.parametrize("model", registry.WITH_WALLS)
 def test_a_configuration_comes_to_a_scene_by_few_modules_without_climbing(model):
-    """From the resolved configuration to what YADE's bodies are made of."""
+    """From the resolved configuration to what YADE's bodies are made of, nothing known before."""
+    shape._shape.cache_clear()
     resolved = resolve({"return_wall": {"building_mass_kg": 66000.0}})
     case, first, up = way(lambda: Case.chosen(resolved, model))
     scene, then, up_again = way(lambda: models.build_scene(case.sections))

@@ -1,7 +1,4 @@
-"""What else a façade's block may have: a taper, cornices, and a wedge of its return walls.
-
-A wall that tapers to `top_thickness_m` at its height is a stack of SLICES boxes of the thickness at
-their middles: its mass is exact, its centroid and moments to a ten thousandth.
+"""What else a façade's block may have: cornices, and a wedge of its return walls.
 
 Cornices are boxes before the outer face (`cornices`): mass that leans out, without a contact.
 
@@ -11,25 +8,9 @@ the vertical, up to what the return walls hold. About x, the axis that it turns 
 are exact; along x it counts as one in the middle.
 """
 
-import math
-
 import numpy as np
 
 SLIVER_M = 1e-9
-SLICES = 10  # of a wall that tapers
-
-
-def tapered(facade, height_m):
-    """Thickness at a height of a wall that tapers in a straight line [m]."""
-    b, top = facade.thickness_m, facade.top_thickness_m
-    return b + (top - b) * height_m / facade.height_m
-
-
-def slices_of(facade):
-    """Heights between the slices of a wall that tapers; none of another."""
-    if not facade.top_thickness_m:
-        return []
-    return [facade.height_m * k / SLICES for k in range(1, SLICES)]
 
 
 def cornices_of(facade, storeys):
@@ -49,16 +30,9 @@ def cornices_of(facade, storeys):
     return tuple(found)
 
 
-def slope_of(facade):
-    """Tangent of a wedge's crack angle; 0 without a wedge."""
-    return math.tan(math.radians(facade.wedge_deg))
-
-
 def wedge_parts(facade, storeys):
     """Parts of the return walls' wedge, one before each storey of thickness."""
-    slope, thick, h = slope_of(facade), facade.wedge_thickness_m, facade.height_m
-    if not slope:
-        return []
+    slope, thick, h = facade.wedge_slope, facade.wedge_thickness_m, facade.height_m
     if not thick:
         raise ValueError(
             "facade.wedge_thickness_m: expected the thickness of all return walls together (m) "

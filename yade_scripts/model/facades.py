@@ -11,6 +11,7 @@ from dataclasses import dataclass, fields
 
 STUDY, COLUMN = "study", "column"  # forms of the base
 TRIANGLE = "triangle"  # outline of a gable by itself
+SLICES = 10  # of a wall that tapers
 OWN_KEYS = (  # of a shape
     *("thickness_steps", "openings", "gable_height_m", "parapet_height_m"),
     *("wedge_deg", "cornices", "top_thickness_m"),
@@ -207,6 +208,26 @@ class Facade:
     def building_top_m(self):
         """Height of the building whose masses move the walls behind it [m]."""
         return self.building_height_m or self.base_height_m + self.height_m
+
+    @property
+    def slices_m(self):
+        """Heights between the boxes, of the thickness at their middles, that stand for a taper.
+
+        Its mass is exact, its centroid and moments to a ten thousandth.
+        """
+        if not self.top_thickness_m:
+            return []
+        return [self.height_m * k / SLICES for k in range(1, SLICES)]
+
+    def tapered_m(self, height_m):
+        """Thickness at a height of a wall that tapers in a straight line [m]."""
+        b, top = self.thickness_m, self.top_thickness_m
+        return b + (top - b) * height_m / self.height_m
+
+    @property
+    def wedge_slope(self):
+        """Tangent of the crack's angle of its return walls' wedge; 0 without one."""
+        return math.tan(math.radians(self.wedge_deg))
 
     def refuse(self, what, held=False):
         """Raise a ValueError of one line if it is no plain box on the ground, in one piece.

@@ -11,7 +11,6 @@ either.
 What lies above a held level bears on it with its weight, and what holds it there holds the part.
 """
 
-from yade_scripts.model.beside import tapered
 from yade_scripts.model.facades import Facade
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.shape import shape_of
@@ -56,7 +55,7 @@ def part_of(section, foot_m, held_m=None, hinge_m=None, wedge=None):
     thickness_m, top_m = front - back, None
     whole = Facade.of(section)
     if whole.top_thickness_m:
-        thickness_m, top_m = (_place(tapered(whole, z)) for z in (foot_m, top))
+        thickness_m, top_m = (_place(whole.tapered_m(z)) for z in (foot_m, top))
     return found | {
         "height_m": _place(top - foot_m),
         "thickness_m": _place(thickness_m),

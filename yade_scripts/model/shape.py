@@ -12,7 +12,7 @@ exactly. With b_g from the centroid out to the toe and z_g down to the base, it 
 static multiplier λ = b_g/z_g on, and its weight line passes the toe when its top, H above the base,
 has moved by H b_g/z_g: that is the b of d/b, and b itself for a plain façade.
 
-Wedges of the return walls, cornices and a taper are in `beside`.
+Wedges of the return walls and cornices are in `beside`.
 
 Hinges cut it into rigid pieces: each has the parts between its two, by the same sums. Two pieces
 meet on the thickness that both have there, and on the width that no opening takes from either.
@@ -27,7 +27,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from yade_scripts.model.base import course_tops
-from yade_scripts.model.beside import cornices_of, slices_of, slope_of, tapered, wedge_parts
+from yade_scripts.model.beside import cornices_of, wedge_parts
 from yade_scripts.model.facades import TRIANGLE, Facade
 from yade_scripts.model.intervals import without
 from yade_scripts.model.scene import box_inertia
@@ -200,8 +200,8 @@ def _shape(facade):
         parts.append(_prism(density, width, storeys[0][2:], 0.0, h))
     if gable:
         parts.append(_prism(density, width, crown, h, gable))
-    parts += wedge_parts(facade, storeys)
-    cornices = cornices_of(facade, storeys)
+    parts += wedge_parts(facade, storeys) if facade.wedge_deg else []
+    cornices = cornices_of(facade, storeys) if facade.cornices else ()
     parts += [_box(density, (-0.5 * width, 0.5 * width), c[2:], c[:2]) for c in cornices]
     mass, centre, tensor = _total(parts)
     top = h + gable + parapet
@@ -218,7 +218,7 @@ def _shape(facade):
         tuple(parts),
         _hinges(facade),
         cornices,
-        slope_of(facade),
+        facade.wedge_slope,
         crown,
         bool(facade.top_thickness_m),
     )
@@ -290,11 +290,11 @@ def _storeys(facade):
             )
         last = row.z_m
     hinges = _hinges(facade)
-    cuts = [z for z in slices_of(facade) if all(abs(z - own) > 1e-6 for own in hinges)]
+    cuts = [z for z in facade.slices_m if all(abs(z - own) > 1e-6 for own in hinges)]
     feet = sorted({0.0, *hinges, *cuts, *(row.z_m for row in steps)})
     edges, thick = [*feet, h], [_thickness(b, steps, z) for z in feet]
     if cuts:
-        thick = [tapered(facade, 0.5 * (a + z)) for a, z in itertools.pairwise(edges)]
+        thick = [facade.tapered_m(0.5 * (a + z)) for a, z in itertools.pairwise(edges)]
     if parapet := facade.parapet_height_m:
         edges.append(h + parapet)
         thick.append(facade.parapet_thickness_m or facade.top_thickness_m or thick[-1])

@@ -32,7 +32,6 @@ from studies.assess import names, repertory, weakest
 from studies.assess.checks import initial_period
 from studies.assess.masonry import Masonry
 from studies.assess.sites import CORNERS, LEAST_PART_M, WHOLE_PART
-from yade_scripts.model.beside import slices_of
 from yade_scripts.model.facades import ROWS, Facade
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.holds import FRICTION, holds
@@ -214,7 +213,7 @@ class Family:
         rows += [(z0, "sill") for *_, z0, _ in m.shape.openings]
         rows += [(z1, "head") for *_, z1 in m.shape.openings]
         above = zip(m.shape.storeys, m.shape.storeys[1:], strict=False)
-        slices = slices_of(self.facade)  # what tapers changes at no height
+        slices = self.facade.slices_m  # what tapers changes at no height
         rows += [
             (up[0], "thickness") for low, up in above if low[2:] != up[2:] and up[0] not in slices
         ]
@@ -321,11 +320,9 @@ class Family:
     def corner(self, side, foot_m=None):
         """A corner that turns about the bisector's normal through its outer edge.
 
-        None takes the foot at which it is weakest.
-
-        The crack leaves the edge at the foot and climbs at `corner_crack_deg` from the vertical
-        along both walls; displacements stay parallel to the bisector's plane. Of façade and return
-        wall, the return wall without openings.
+        None takes the foot at which it is weakest. The crack leaves the edge at the foot and climbs
+        at `corner_crack_deg` from the vertical along both walls; displacements stay parallel to the
+        bisector's plane. Of façade and return wall, the return wall without openings.
         """
         if foot_m is None:
             (foot_m,) = (one.foot_m for one in weakest.corners(self) if one.side == side)

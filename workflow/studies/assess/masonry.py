@@ -10,7 +10,6 @@ import itertools
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from rocking.mechanics.mechanism import gauss
 
-from yade_scripts.model.beside import tapered
 from yade_scripts.model.facades import Facade
 from yade_scripts.model.shape import shape_of
 
@@ -42,7 +41,7 @@ class Masonry:
     def faces(self, height_m, above=True):
         """Places of back and front face at a height, on one side of a step [m]."""
         if self.tapers and 0.0 <= height_m <= self.height_m - (1e-6 if above else 0.0):
-            b, t = self.facade.thickness_m, tapered(self.facade, height_m)
+            b, t = self.facade.thickness_m, self.facade.tapered_m(height_m)
             return (b - t, b) if self.facade.flush_face == "outer" else (0.0, t)
         eps = 1e-6 if above else -1e-6
         if self.gable_m > 1e-9 and height_m + eps > self.height_m:
