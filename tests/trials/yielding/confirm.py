@@ -29,6 +29,7 @@ import numpy as np
 import pandas as pd
 from rocking import Case, Motion, collapse_curve
 from rocking.collapse.curve import run_by
+from rocking.collapse.hidden import WINDOW
 from rocking.collapse.plan import BELOW
 from rocking.collapse.probability import from_scan
 from rocking.records import read_table
@@ -120,8 +121,9 @@ def row(number, args):
     if not math.isfinite(found["pga_safe_g"]):
         return out
     safe_g = found["pga_safe_g"]
-    low = dense(run_by("planar", case, motion, direction), args.down * safe_g, safe_g, args.each)
-    out |= beneath(low.iloc[: len(low) // args.each * args.each], args.each, BOUND)
+    foot_g = safe_g * math.exp(-WINDOW * round(-math.log(args.down) / WINDOW))
+    low = dense(run_by("planar", case, motion, direction), foot_g, safe_g, args.each)
+    out |= beneath(low, args.each, BOUND)  # whole windows, the last one up to the safe amplitude
     if not args.elastic:
         out["ductility"] = ductility(case, motion, direction, safe_g)
     out["planar_s"] = time.process_time() - began
@@ -141,6 +143,8 @@ def with_nodes(one, nodes):
 def told(table):
     """Lines on all curves of a table."""
     known = table.dropna(subset="yade") if "yade" in table else table.iloc[:0]
+    if known.empty:
+        known = known.reindex(columns=[*known, "repeats", "error", "yade_stood", "yade_fell"])
     fine, low = known[known["repeats"] == 1], table.dropna(subset="histories_below")
     sure = known["yade_fell_sure"].eq(1).sum() if "yade_fell_sure" in known else 0
     size = fine["error"].abs()
