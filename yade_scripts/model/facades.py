@@ -221,7 +221,7 @@ class Facade:
 
     def tapered_m(self, height_m):
         """Thickness at a height of a wall that tapers in a straight line [m]."""
-        b, top = self.thickness_m, self.top_thickness_m
+        b, top = self.thickness_m, self.top_thickness_m or self.thickness_m
         return b + (top - b) * height_m / self.height_m
 
     @property
