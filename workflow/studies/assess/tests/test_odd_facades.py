@@ -62,7 +62,7 @@ def test_a_wall_that_nothing_leans_on_is_refused_in_one_line(facade):
 
 
 def test_the_thrust_of_a_hip_turns_a_corner_from_the_base_or_above_a_level():
-    """H at the eaves takes H h/ΣPz off α0; the top, which it would push off, is no mechanism."""
+    """A thrust H at the eaves lowers α0 by H h/ΣPz. The dry top is no mechanism."""
     free, thrust = (corners({}, hip_thrust_kn=kn) for kn in (0.0, 5.0))
     assert [one.foot_m for one in thrust] == [0.0, 0.0]
     assert all(one.foot_m > 5.0 for one in free)
