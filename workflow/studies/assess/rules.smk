@@ -336,7 +336,6 @@ rule assess_sensitivity:
         results("assessment/dynamic_sensitivity.csv"),
     benchmark:
         benchmarks("assess_sensitivity")
-    priority: 1  # as long as those
     params:
         table=lambda w: RUNS.table_path(w.run),
         settings=RUNS.params_of("baseline", "seed", "vertical_motion", "ida.max_pga_g", *HELD_BY),
