@@ -1,4 +1,6 @@
-"""Brief histories: the same outcomes, ended once what is left of the motion no longer tells."""
+"""Brief histories: from where a motion begins to where what is left of it no longer tells."""
+
+import dataclasses
 
 import numpy as np
 import pytest
@@ -26,6 +28,15 @@ def pulses(second, late_s=20.0, coda=0.02):
 
     a = pulse(1.0) + second * pulse(late_s) + coda * np.sin(2.0 * np.pi * 1.3 * t)
     return Motion.sampled(a, DT, "m/s2", name="two")
+
+
+def late(quiet_s=10.0, size=0.004):
+    """A pulse of 1 m/s² after seconds of a motion as small as stated; no coda."""
+    t = np.arange(0.0, quiet_s + 12.0, DT)
+    own = (t >= quiet_s) & (t < quiet_s + 0.8)
+    before = np.where(t < quiet_s, size * np.cos(2.0 * np.pi * 1.3 * t), 0.0)
+    a = np.where(own, np.sin(2.0 * np.pi * (t - quiet_s) / 0.8), before)
+    return Motion.sampled(a, DT, "m/s2", name="late")
 
 
 def outcomes(model, motion, brief, levels=(0.05, 0.1, 0.2, 0.3, 0.5), **building):
@@ -70,6 +81,49 @@ def test_behind_a_building_that_yields_outcomes_are_those_of_whole_histories(mod
     elastic = outcomes(model, pulses(1.4), True, base_shear_ratio=None)[1]
     assert np.all(end_s >= elastic + 2.9)
     assert np.all(outcomes("W1", pulses(0.0), True, **strength)[1] < 12.0)
+
+
+@pytest.mark.parametrize("model", ["W1", "W2", "W2m"])
+def test_what_comes_before_a_motion_is_left_out_of_curves_and_tells_nothing(model, monkeypatch):
+    """Ten quiet seconds; the pulse exceeds half a per cent within its first sample."""
+    case = study_case(model, {"damping": DAMPING, **BUILDING})
+    how = {"search": "list", "settings": {"pga_g": np.geomspace(0.03, 0.6, 12)}}
+    ends, peaks = [], scan.peaks
+
+    def watched(*given, **more):
+        found = peaks(*given, **more)
+        ends.extend(found.end_s)
+        return found
+
+    monkeypatch.setattr(scan, "peaks", watched)
+    tables = []
+    for motion, brief in ((late(), False), (late(), True), (late(size=0.006), True)):
+        ends.clear()
+        (curve,) = collapse_curves(case, [(motion, "pos")], brief=brief, **how)
+        tables.append((curve.table, max(ends)))
+    (whole, _), (brief, end_s), (_, later_s) = tables
+    assert {"ok", "overturned"} <= set(whole["status"])
+    assert list(brief["status"]) == list(whole["status"])
+    stood = (whole["status"] == "ok").to_numpy()
+    found, wanted = (table["d_over_b"][stood].to_numpy() for table in (brief, whole))
+    assert found == pytest.approx(wanted, rel=0.02)
+    assert later_s - end_s == pytest.approx(10.0, abs=1.5)
+
+
+def test_a_motion_begins_where_any_component_does_and_keeps_its_peak():
+    whole = late()
+    cut = whole.begun
+    assert len(whole.record) - len(cut.record) == pytest.approx(10.0 / DT, abs=1)
+    assert np.abs(cut.record.acceleration_m_s2).max() == 1.0
+    up = np.zeros(len(whole.record))
+    up[300] = -0.5
+    both = Motion(dataclasses.replace(whole.record, vertical_m_s2=up)).begun.record
+    assert len(both) == len(both.vertical_m_s2) == len(whole.record) - 299
+    assert both.vertical_m_s2[1] == -0.5
+    floors = Motion(floors=(whole.record.time_s, {"ground": whole.record.acceleration_m_s2}))
+    assert floors.begun is floors
+    after = dataclasses.replace(whole, first=whole, first_pga_g=0.1)
+    assert after.begun is after
 
 
 def test_a_brief_curve_asks_nothing_of_the_building_alone():

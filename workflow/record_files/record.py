@@ -4,7 +4,7 @@ Sign: as the file or surrogate gives it; which way is outward is decided by the
 direction (pos or neg) of the analysis, not here.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -18,6 +18,7 @@ __all__ = [
     "UNITS_M_S2",
     "Record",
     "RecordError",
+    "begun",
     "check_plausible",
     "integrate",
     "measures",
@@ -26,6 +27,7 @@ __all__ = [
 ]
 
 MIN_PGA_G, MAX_PGA_G = 1e-5, 5.0  # the strongest motions recorded reach about 4 g in vector sum
+BEGINS = 0.005  # of its largest acceleration; what larger shares cost: docs/record.md#assessment
 
 SOURCES = ("file", SHIPPED, "surrogate")
 
@@ -100,6 +102,19 @@ def check_plausible(acceleration_m_s2, units, where):
             f"{where}: peak of {pga_g:.3g} g with units {units}; expected {MIN_PGA_G:g} … "
             f"{MAX_PGA_G:g} g: are the units right?"
         )
+
+
+def begun(record, share=BEGINS):
+    """A record from its last sample before it first exceeds a share of its largest acceleration.
+
+    The vertical motion counts as the horizontal one does.
+    """
+    rows = [record.acceleration_m_s2]
+    if record.vertical_m_s2 is not None:
+        rows.append(record.vertical_m_s2)
+    size = np.abs(rows).max(axis=0)
+    later = [row[max(int((size > share * size.max()).argmax()) - 1, 0) :] for row in rows]
+    return replace(record, **dict(zip(("acceleration_m_s2", "vertical_m_s2"), later, strict=False)))
 
 
 def integrate(acceleration_m_s2, dt_s):

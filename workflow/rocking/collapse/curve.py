@@ -204,7 +204,8 @@ def collapse_curves(
     -------
     list of Curve
         With the same outcomes as one after the other; `wall_s` is each one's share of the time. Of
-        brief histories (`scan.Screen`) without the building's drifts.
+        brief histories (`scan.Screen`), which begin where the motion does (`Motion.begun`), without
+        the building's drifts.
     """
     began = time.monotonic()
     several = [settings] * len(shaken)
@@ -212,7 +213,11 @@ def collapse_curves(
         several = list(settings)
         if len(several) != len(shaken):
             raise ValueError(f"settings: {len(several)} given, expected one, or {len(shaken)}")
-    outcomes = [run_by("planar", case, *one, **options) for one in shaken]
+    brief = options.get("brief")
+    outcomes = [
+        run_by("planar", case, motion.begun if brief else motion, direction, **options)
+        for motion, direction in shaken
+    ]
     given = [_settings(case, own, search) for own in several]
     for (motion, _), one, own in zip(shaken, outcomes, given, strict=True):
         within_table(motion, one.columns, own)
@@ -221,9 +226,8 @@ def collapse_curves(
     ]
     seen = seen_together(searches)
     each_s = (time.monotonic() - began) / max(len(shaken), 1)
-    told = not options.get("brief")
     return [
-        _curve(case, one, what, own, each_s, told)
+        _curve(case, one, what, own, each_s, not brief)
         for one, what, own in zip(shaken, seen, given, strict=True)
     ]
 

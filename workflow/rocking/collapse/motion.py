@@ -4,6 +4,7 @@ import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from numbers import Real
 from os import PathLike
 from pathlib import Path
@@ -11,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from record_files.record import UNITS_M_S2, check_plausible, measures, unit_name
+from record_files.record import UNITS_M_S2, begun, check_plausible, measures, unit_name
 
 from rocking.collapse.others import check_floors, fit
 from rocking.records import Record, RecordError, load, read_record, read_table
@@ -111,12 +112,8 @@ class Motion:
         record, floors = self.record, self.floors
         own: tuple = (self.name, self.first, self.first_pga_g, self.pause_s, self.of_chain)
         if record is not None:
-            up = record.vertical_m_s2
-            own += (
-                record.dt_s,
-                _bytes(record.acceleration_m_s2),
-                None if up is None else _bytes(up),
-            )
+            rows = record.acceleration_m_s2, record.vertical_m_s2
+            own += (record.dt_s, *(None if row is None else _bytes(row) for row in rows))
         if floors is not None:
             columns = ((name, _bytes(values)) for name, values in floors[1].items())
             own += (_bytes(floors[0]), *columns)
@@ -207,9 +204,7 @@ class Motion:
         except (TypeError, ValueError) as error:
             raise RecordError(f"record {name}: expected samples and a step (s): {error}") from None
         if samples.ndim != 1:
-            raise RecordError(
-                f"record {name}: samples of shape {samples.shape}; expected one row of them"
-            )
+            raise RecordError(f"record {name}: samples of shape {samples.shape}; expected one row")
         record = Record(name, samples, step_s, "file", unit)
         check_plausible(samples, unit, f"record {name}")
         return cls(record)
@@ -348,6 +343,12 @@ class Motion:
             out = replace(out, **{key: given.pop(key)})
         return out
 
+    @cached_property
+    def begun(self) -> "Motion":
+        """The motion without what comes before it shakes; whole after a shock, or of floors."""
+        whole = self.record is None or self.first is not None
+        return self if whole else replace(self, record=begun(self.record))
+
     def columns(self, case: "Case") -> tuple[np.ndarray, dict[str, np.ndarray]]:
         """Times and accelerations of ground and floors for a factor of one, without a first shock.
 
@@ -364,12 +365,11 @@ class Motion:
             return time_s, yielding.of_case(case.sections, time_s, columns, march)
         chain, height_m = case["smdof"], storey_height(case.sections)
         key = json.dumps([chain, height_m, yielding.drives(case.sections)], sort_keys=True)
-        if (found := self._kept.get(key)) is None:
+        if key not in self._kept:
             time_s, columns = floor_columns(self.record, chain)
-            found = time_s, yielding.of_case(case.sections, time_s, columns, march)
             self._kept.clear()  # of one building: a sample of thousands has as many
-            self._kept[key] = found
-        return found
+            self._kept[key] = time_s, yielding.of_case(case.sections, time_s, columns, march)
+        return self._kept[key]
 
     def before(self, case, direction):
         """What comes before it: time_s and columns as they shake, and the pause; None: nothing."""
