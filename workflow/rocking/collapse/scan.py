@@ -269,13 +269,13 @@ class Screen(Scan):
     """Outcomes of one model, record and direction of a case file.
 
     Floor motions are those of `floor_motions.read`; `before` is a shock before them (time_s,
-    columns, pause_s), as it shakes. A `fraction` is the step over the stable one, where the
-    solver's own choice is too dear (of pieces between hinges up to `PIECES_STEPS` as much); then
-    every layout of nodes has a step of its own. `brief` histories end once what is left of the
-    motion no longer tells (`runs.Brief`), so that later swings are not known; with a fraction
-    courses have `COURSES_LONG` times their step and `COURSES_PARTS` of friction. Behind a building
-    that yields its elastic floors tell when little is left, and histories end `YIELDED` times as
-    much later.
+    columns, pause_s), as it shakes. A history ends once what is left of the motion no longer tells
+    (`runs.Brief`): its largest displacement and whether it fell are those of the whole motion.
+    Behind a building that yields its elastic floors tell when little is left, and histories end
+    `YIELDED` times as much later. A `fraction` is the step over the stable one, where the solver's
+    own choice is too dear (of pieces between hinges up to `PIECES_STEPS` as much); then every
+    layout of nodes has a step of its own. With a fraction `brief` courses, of which half collapse
+    alone is asked, have `COURSES_LONG` times their step and `COURSES_PARTS` of friction.
 
     Where a building yields and drives its walls, it marches with the façade: as one that carries
     them and that nothing can push. Where it does not at an amplitude, its floors are scaled.
@@ -285,12 +285,11 @@ class Screen(Scan):
 
     def __init__(self, case, time_s, columns, direction, fraction=None, before=None, brief=False):
         """Prepare the scene in every layout of nodes that realisations use."""
-        self.numerics, self.direction, self.ground = case["numerics"], direction, columns["ground"]
-        if brief:
-            own = Brief()
-            if registry.model(case["model"]).chain and yields(case["smdof"]):
-                own = own._replace(after_s=YIELDED * own.after_s)
-            self.numerics = {**self.numerics, "brief": own}
+        self.direction, self.ground = direction, columns["ground"]
+        ends = Brief()
+        if registry.model(case["model"]).chain and yields(case["smdof"]):
+            ends = ends._replace(after_s=YIELDED * ends.after_s)
+        self.numerics = {**case["numerics"], "brief": ends}
         kept = _layouts_of(json.dumps(case, sort_keys=True), fraction, brief)
         self.scene, self.planes, self.steps_s, self.shorter, self.carried = kept
         self.two_way = registry.model(case["model"]).two_way
