@@ -163,6 +163,27 @@ def test_what_is_far_from_rest_at_its_end_is_run_as_a_whole(monkeypatch):
     brief, _ = outcomes("W1", pulses(0.0, coda=0.0), False, levels)
     assert {"ok", "overturned"} <= set(whole["status"])
     assert list(brief["status"]) == list(whole["status"])
-    monkeypatch.setattr(scan, "Brief", lambda: runs.Brief(after_s=0.5, still=np.inf))
+    monkeypatch.setattr(scan, "Brief", lambda: runs.Brief(after_s=0.5, still=np.inf, swings=np.inf))
     cut, _ = outcomes("W1", pulses(0.0, coda=0.0), False, levels)
     assert list(cut["status"]) != list(whole["status"])  # what the rule is there for
+
+
+def test_what_swings_with_more_than_half_of_its_peak_at_its_end_is_run_as_a_whole():
+    """The largest |d|/b of three seconds, of 2.5 that were run; what fell or failed is done."""
+    spans = np.array(
+        [
+            [0.30, 0.16, 0.14],  # more than half of 0.30 in one of the last two seconds
+            [0.30, 0.14, 0.14],  # less
+            [0.12, 0.05, 0.07],  # more, of a smaller one
+            [0.04, 0.03, 0.03],  # small
+            [0.90, 0.24, 0.26],  # beyond a quarter
+            [0.90, 0.24, 0.26],
+            [0.90, 0.24, 0.26],
+        ]
+    )
+    fell, failed = np.arange(7) == 5, np.arange(7) == 6
+    ends = np.full(7, 2.5)
+    found = runs.Peaks(np.ones(7), spans.max(axis=1), fell, failed, ends, 0.01, spans)
+    expected = [True, False, True, False, True, False, False]
+    assert list(runs._lingers(found, runs.Brief())) == expected
+    assert list(runs._lingers(found, runs.Brief(swings=0.2)))[:4] == [False] * 4

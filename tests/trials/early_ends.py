@@ -3,11 +3,11 @@
     .venv/bin/python tests/trials/early_ends.py --output ends.csv --seed 6 --curves 60
 
 A curve is a drawn façade (`OPTIONS`: rigid block, courses, hinges, friction, vertical motion, a
-building that yields), a recorded motion and a direction: `--each` amplitudes from 0.3 to 1.3 of the
-lowest collapse that a climb finds, once as a scan runs them (`solver.runs.Brief`) and once to the
-end of their motions. A line says how many outcomes and peaks differ, how far what later swings
-could come to (`collapse.hidden`) does, and the processor time of both. W3 and W3m, without a climb,
-have a tenth of the amplitudes. 60 curves of W1, W2 and W2m take some two minutes.
+tie, a floor, a building that yields), a recorded motion and a direction: `--each` amplitudes from
+0.3 to 1.3 of the lowest collapse that a climb finds, once as a scan runs them (`solver.runs.Brief`)
+and once to the end of their motions. A line says how many outcomes and peaks differ, how far what
+later swings could come to (`collapse.hidden`) does, and the processor time of both. W3 and W3m,
+without a climb, have a tenth of the amplitudes. 60 curves of W1, W2 and W2m take two minutes.
 """
 
 import argparse
@@ -36,6 +36,8 @@ OPTIONS = (
     COURSES | {"facade.friction_deg": 12.0},
     COURSES | {"smdof.base_shear_ratio": 0.2},
     COURSES | {"vertical_motion": "on"},
+    COURSES | {"facade.ties": [{"height_m": 6.0, "diameter_mm": 20}]},
+    COURSES | {"facade.floors": [{"height_m": 3.0, "load_kn": 40, "friction": 0.4}]},
 )
 BRICKS_G = 0.35  # beside which W3's amplitudes lie
 CLIMB = {"level_ratio": 0.05, "beyond": 1.0, "max_pga_g": 3.0}

@@ -31,14 +31,16 @@ class Brief(NamedTuple):
 
     It does where all that is left of the motion, of supports and of what carries them stays below
     `uplift` of what begins to lift a block of the scene's size at rest, or below `peak` of the
-    whole motion's largest acceleration, `after_s` later. One whose
-    |d|/b is beyond `still` in its last two seconds is run again as a whole.
+    whole motion's largest acceleration, `after_s` later. One whose |d|/b is beyond `still` in its
+    last two seconds is run again as a whole: near its unstable balance a façade falls late, and its
+    swings take seconds. So is one beyond `swings` then that has not been twice as far before.
     """
 
     uplift: float = 0.5
     peak: float = 0.2
     after_s: float = 3.0
     still: float = 0.25
+    swings: float = 0.05
 
 
 @dataclass(frozen=True)
@@ -364,7 +366,7 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
     own = Peaks(factors, ratio, fell, failed, end, shaken.step_s, spans)
     if (brief := numerics.get("brief")) is None:
         return own
-    near = np.flatnonzero(_lingers(own, brief.still))
+    near = np.flatnonzero(_lingers(own, brief))
     if not near.size:
         return own
     theirs = motions if isinstance(motions, Motions) else [motions[k] for k in near]
@@ -373,12 +375,11 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
     return own.with_others(near, again)
 
 
-def _lingers(found, ratio):
-    """Mask of histories that ended with |d|/b beyond a ratio in their last two seconds.
-
-    Near its unstable balance a façade falls late, and its swings take seconds.
-    """
+def _lingers(found, brief):
+    """Mask of histories that a `Brief` ended while they still moved."""
     last = np.rint(found.end_s / found.step_s).astype(int) // steps_of(found.step_s)
     last, rows = np.minimum(last, found.spans.shape[1] - 1), np.arange(len(last))
     late = np.maximum(found.spans[rows, last], found.spans[rows, np.maximum(last - 1, 0)])
-    return ~found.overturned & ~found.failed & (late > ratio)
+    peak = found.spans.max(axis=1)
+    moves = (late > brief.still) | ((late > brief.swings) & (late > 0.5 * peak))
+    return ~found.overturned & ~found.failed & moves
