@@ -155,6 +155,16 @@ def test_a_history_goes_on_while_what_carries_the_supports_still_moves():
     assert 1e-3 * carried == pytest.approx(12.0, abs=0.1)
 
 
+def test_a_history_with_its_series_goes_on_to_the_end_of_its_motion():
+    """What is left of a façade after a first shock is read from its last sample."""
+    screen = run_by("planar", study_case("W1", {"damping": DAMPING}), pulses(0.0, coda=0.1), "pos")
+    (motions,), (factor,) = screen.shaking([0.08])
+    series = runs.history(screen.planes[0], motions, screen.numerics, factor)
+    assert series.time_s[-1] > 60.0
+    ended = screen.run([0.08], False)["d_over_b"].iloc[0]
+    assert series.peak_d_over_b == pytest.approx(ended, rel=1e-12)
+
+
 def test_what_is_far_from_rest_at_its_end_is_run_as_a_whole(monkeypatch):
     """Cut half a second after a pulse that all but fells it, the façade is still out."""
     monkeypatch.setattr(scan, "Brief", lambda: runs.Brief(after_s=0.5))

@@ -243,7 +243,7 @@ def _beside(loop, count):
 
 
 def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None, sample_s=0.005):
-    """One history with its time series.
+    """One history with its time series, to the end of its motion: a `Brief` is for `peaks` alone.
 
     Parameters
     ----------
@@ -265,7 +265,8 @@ def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None,
     -------
     Series
     """
-    shaken = _set_up(planar, motions, numerics, factor, carried, step_s)
+    whole = {**numerics, "brief": None}
+    shaken = _set_up(planar, motions, whole, factor, carried, step_s)
     step = shaken.step_s
     every = max(1, round(sample_s / step))
     supports = shaken.bodies.mass_kg.size or len(motions.supports_m_s2)
