@@ -30,7 +30,7 @@ rule boundary:
     """
     With the file that `study` takes: cohesion, interlocking, pushover, Figures 7, 8, 9,
     `tables/claims.csv`.
-    Costs: 25 min; W3 most.
+    Costs: 6 min on two free cores; W3 most.
     """
     input:
         every_run(

@@ -83,7 +83,7 @@ rule fragility_nrml:
 rule fragility:
     """
     Fragility curves and intensity measures from the run's IDA.
-    Costs: 8 min on two free cores for 264 curves of the elastic wall; by curves.
+    Costs: 5 min on two free cores for 264 curves of the elastic wall; by curves.
     """
     input:
         every_run(
