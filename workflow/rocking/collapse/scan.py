@@ -274,8 +274,8 @@ class Screen(Scan):
     Behind a building that yields its elastic floors tell when little is left, and histories end
     `YIELDED` times as much later. A `fraction` is the step over the stable one, where the solver's
     own choice is too dear (of pieces between hinges up to `PIECES_STEPS` as much); then every
-    layout of nodes has a step of its own. With a fraction `brief` courses, of which half collapse
-    alone is asked, have `COURSES_LONG` times their step and `COURSES_PARTS` of friction.
+    layout of nodes has a step of its own. `brief` is for climbs that look for half collapse: with a
+    fraction, courses take `COURSES_LONG` times their step and `COURSES_PARTS` of friction.
 
     Where a building yields and drives its walls, it marches with the façade: as one that carries
     them and that nothing can push. Where it does not at an amplitude, its floors are scaled.

@@ -29,11 +29,12 @@ AT_ONCE = 64  # side by side, between two chances to stop; their memory fits int
 class Brief(NamedTuple):
     """When a brief history ends: its largest displacement is known before the motion is over.
 
-    It does where all that is left of the motion, of supports and of what carries them stays below
-    `uplift` of what begins to lift a block of the scene's size at rest, or below `peak` of the
-    whole motion's largest acceleration, `after_s` later. One whose |d|/b is beyond `still` in its
-    last two seconds is run again as a whole: near its unstable balance a façade falls late, and its
-    swings take seconds. So is one beyond `swings` then that has not been twice as far before.
+    It ends `after_s` after all that is left of the motion, of supports and of what carries them
+    stays below `uplift` of what begins to lift a block of the scene's size at rest, or below `peak`
+    of the whole motion's largest acceleration. Two kinds are run again as a whole: those beyond
+    `still` of |d|/b in their last two seconds, since near its unstable balance a façade falls late
+    and its swings take seconds; and those beyond `swings` and half of their own peak then, since a
+    later swing may exceed it.
     """
 
     uplift: float = 0.5
