@@ -32,9 +32,8 @@ class Brief(NamedTuple):
     It ends `after_s` after all that is left of the motion, of supports and of what carries them
     stays below `uplift` of what begins to lift a block of the scene's size at rest, or below `peak`
     of the whole motion's largest acceleration. Two kinds are run again as a whole: those beyond
-    `still` of |d|/b in their last two seconds, since near its unstable balance a façade falls late
-    and its swings take seconds; and those beyond `swings` and half of their own peak then, since a
-    later swing may exceed it.
+    `still` of |d|/b in their last two seconds, since a façade near its unstable balance falls late;
+    and those beyond `swings` and half of their own peak, which a later swing may exceed.
     """
 
     uplift: float = 0.5
