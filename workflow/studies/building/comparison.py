@@ -34,40 +34,22 @@ class TopMotion:
         return out
 
 
-def top_motion(
-    time_s,
-    acceleration_m_s2,
-    longest_period_s,
-    highest_hz,
-    *,
-    absolute_spectrum=False,
-    power="welch",
-):
+def top_motion(time_s, acceleration_m_s2, longest_period_s, highest_hz):
     """Spectra of a uniformly sampled top acceleration on the ranges over which they are compared.
 
-    Response spectra (5 % damping, pseudo-acceleration, or peak absolute acceleration) go from 0.02
-    s to `longest_period_s`, power spectra from 0 to `highest_hz` or half the sampling frequency.
-    `power` is "welch" or "periodogram", averaged or whole-record density, or "amplitude", the
-    latter's square root.
+    Response spectra (5 % damping, pseudo-acceleration) go from 0.02 s to `longest_period_s`, power
+    spectra (averaged density) from 0 to `highest_hz` or half the sampling frequency.
     """
     dt = (time_s[-1] - time_s[0]) / (len(time_s) - 1)
     periods = np.linspace(0.02, longest_period_s, 199)
     response = smdof.response_spectrum(acceleration_m_s2, dt, periods)
-    method = "welch" if power == "welch" else "periodogram"
-    found = smdof.power_spectrum(acceleration_m_s2, dt, method)
+    found = smdof.power_spectrum(acceleration_m_s2, dt)
     low = found.frequency_hz <= highest_hz
-    density = found.power_m2_s3[low]
     return TopMotion(
         {
             "acceleration": (np.asarray(time_s), np.asarray(acceleration_m_s2)),
-            "response_spectrum": (
-                periods,
-                response.sa_m_s2 if absolute_spectrum else response.psa_m_s2,
-            ),
-            "power_spectrum": (
-                found.frequency_hz[low],
-                np.sqrt(density) if power == "amplitude" else density,
-            ),
+            "response_spectrum": (periods, response.psa_m_s2),
+            "power_spectrum": (found.frequency_hz[low], found.power_m2_s3[low]),
         }
     )
 

@@ -215,38 +215,4 @@ rule building_t1:
         every_run(rules.table_building_modes.output, rules.table_wme.output.chain),
 
 
-rule table_wme_readings:
-    input:
-        plan=plan_file("building.plan"),
-        fit=rules.building_fit.output[0],
-        modes=of_run(rules.building_modal.output[0], building="SBDEM"),
-        records=of_run(rules.own_record.output.record, record=RUNS.named("building.wme_records")),
-    output:
-        readings=results("tables/wme_readings.csv"),
-        lowest=shown_table("wme_lowest", "Building", "2: every reading of its text"),
-    benchmark:
-        benchmarks("table_wme_readings")
-    params:
-        building=values_of(
-            "building",
-            *BRICK_MODEL,
-            "damping_ratio",
-            "wme_longest_period_s",
-            "wme_highest_frequency_hz",
-        ),
-        records=lambda w: RUNS.named("building.wme_records")(w.run),
-        paper=lambda w: is_case_study(w.run),
-    script:
-        "scripts/table_wme_readings.py"
-
-
-rule wme_readings:
-    """
-    Table 2 of the 3DEC study under every reading of its text.
-    Costs: a minute.
-    """
-    input:
-        every_run(rules.table_wme_readings.output),
-
-
 include: "complete.smk"
