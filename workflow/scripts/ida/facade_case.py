@@ -12,8 +12,6 @@ from rocking.tables import read_json
 
 def main(job):
     sections, mass_kg = json.loads(job.params.sections), None
-    if law := getattr(job.wildcards, "law", None):  # for the comparison of the laws of β
-        sections["damping"]["law"] = law
     if building := getattr(job.input, "building", None):
         mass_kg = read_json(str(building))["mass_behind_facade_kg"]
     warnings.simplefilter("ignore", RangeWarning)  # the run says it at its start, once

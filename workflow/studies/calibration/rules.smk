@@ -156,5 +156,4 @@ rule calibration:
             rules.fig04_calibration.output.png,
             rules.fig05_sorrentino.output.png,
             rules.fig06_shawa.output.png,
-            rules.damping_choice.output.png,
         ),

@@ -1,16 +1,4 @@
-# The fitted law against both tested walls, and what the choice of the law changes in an IDA.
-
-CHOICE_RECORD = RUNS.key("calibration.choice_record")
-
-
-def choices(run):
-    """Wildcards of the curves that compare the laws."""
-    return [
-        {"model": model, "direction": direction, "law": law}
-        for model in ("W1", "W2")
-        for direction in RUNS.settings[run]["directions"]
-        for law in ("eq5", "fitted")
-    ]
+# The fitted law against both tested walls.
 
 
 def shake_table(key):
@@ -83,69 +71,3 @@ figure_by(
     tests=rules.shake_table_tests.output.tests,
     histories=rules.shake_table.output[0],
 )
-
-
-# What the choice of the law changes in an IDA.
-rule damping_choice_case:
-    input:
-        law=rules.beta_law.output.law,
-        fidelity=FIDELITY_FILE,
-    output:
-        results("calibration/choice/{model}_{law}.json"),
-    log:
-        logs("damping_choice_{model}_{law}"),
-    wildcard_constraints:
-        law="eq5|fitted",
-    params:
-        sections=RUNS.params_of(*SECTIONS),
-    script:
-        str(BASE / "workflow/scripts/ida/facade_case.py")
-
-
-use rule planar_ida as damping_choice_planar with:
-    input:
-        case=rules.damping_choice_case.output[0],
-        motion=of_run(rules.floor_motions.output[0], record=CHOICE_RECORD),
-    output:
-        scan=results("calibration/choice/scan_{model}_{direction}_{law}.csv"),
-        plan=results("calibration/choice/plan_{model}_{direction}_{law}.json"),
-    benchmark:
-        benchmarks("damping_choice_planar_{model}_{direction}_{law}")
-    params:
-        record=lambda w: CHOICE_RECORD(w.run),
-
-
-use rule ida as damping_choice_ida with:
-    input:
-        case=rules.damping_choice_case.output[0],
-        motion=of_run(rules.floor_motions.output[0], record=CHOICE_RECORD),
-        plan=rules.damping_choice_planar.output.plan,
-        yade=rules.yade_check.output[0],
-        modules=command_code("ida"),
-    output:
-        curve=results("calibration/choice/{model}_{direction}_{law}.csv"),
-    log:
-        logs("damping_choice_{model}_{direction}_{law}"),
-    benchmark:
-        benchmarks("damping_choice_{model}_{direction}_{law}")
-    wildcard_constraints:
-        law="eq5|fitted",
-    params:
-        record=lambda w: CHOICE_RECORD(w.run),
-        ensemble="",
-        journal=results("cache/choice/{model}_{direction}_{law}.jsonl"),
-
-
-rule damping_choice:
-    input:
-        cases=of_run(rules.damping_choice_case.output[0], cases=choices),
-        ida=of_run(rules.damping_choice_ida.output[0], cases=choices),
-        scans=of_run(rules.damping_choice_planar.output.scan, cases=choices),
-        facts=of_run(rules.own_record.output.facts, record=CHOICE_RECORD),
-    output:
-        **figure("damping_choice", "Calibration of the damping", "IDA under two laws of β"),
-        table=results("tables/damping_choice.csv"),
-    params:
-        spread=value_of("ensemble.amplitude_spread"),
-    script:
-        "scripts/calibrate_choice.py"
