@@ -3,7 +3,7 @@
 import argparse
 import sys
 
-from yade_scripts.commands.search import collapse_bounds, fallen_or_highest
+from yade_scripts.commands.search import collapse_bounds
 from yade_scripts.commands.tables import read_curve
 from yade_scripts.files import read_case
 from yade_scripts.model import floor_motions
@@ -48,19 +48,16 @@ def add_intensity(parser):
     parser.add_argument("--collapse", help="IDA table: the lowest intensity that overturned")
 
 
-def intensity(args, or_highest=False):
+def intensity(args):
     """Intensity that the options of `add_intensity` say [g].
 
-    Of a table of which nothing overturned it is the highest that was run, if `or_highest`; else,
-    and if both options or neither is stated, ValueError.
+    ValueError of a table of which nothing overturned, and if both options or neither is stated.
     """
     if (args.pga is None) == (args.collapse is None):
         raise ValueError("expected either --pga or --collapse")
     if args.collapse is None:
         return args.pga
     status, _ = read_curve(args.collapse)
-    if or_highest:
-        return fallen_or_highest(status)
     collapse = collapse_bounds(status)[1]
     if collapse is None:
         raise ValueError(f"{args.collapse}: expected at least one run that overturned")

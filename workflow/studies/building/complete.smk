@@ -248,44 +248,6 @@ figure_by(
 )
 
 
-rule complete_frames:
-    input:
-        scene=curve_scene,
-        motion=of_run(rules.floor_motions.output[0]),
-        curve=rules.complete_ida.output[0],
-        yade=rules.yade_check.output[0],
-        modules=command_code("complete_history"),
-    output:
-        history=results("complete/collapse/{complete}_{record}_{direction}.csv"),
-        cost=results("complete/collapse/{complete}_{record}_{direction}.json"),
-        frames=results("complete/collapse/{complete}_{record}_{direction}_frames.json"),
-    log:
-        logs("complete_frames_{complete}_{record}_{direction}"),
-    params:
-        yade=YADE,
-    shell:
-        "{params.yade} complete_history --scene {input.scene:q} --motion {input.motion:q}"
-        " --direction {wildcards.direction} --collapse {input.curve:q} --fall 6"
-        " --frames {output.frames:q} --output {output.history:q} --cost {output.cost:q}"
-        " 2> {log:q}"
-
-
-rule figure_complete_collapse:
-    input:
-        frames=rules.complete_frames.output.frames,
-        facts=rules.own_record.output.facts,
-    output:
-        **figure(
-            "complete_collapse_{complete}_{record}_{direction}",
-            "Complete building",
-            "{complete}: side views of the lowest collapse",
-            about="complete_collapse",
-            record="{record}",
-        ),
-    script:
-        "scripts/figure_complete_collapse.py"
-
-
 rule complete:
     """
     The whole brick building under shaking.
@@ -298,10 +260,4 @@ rule complete:
             rules.table_complete_convergence.output,
             rules.complete_collapse.output,
             rules.figure_complete.output.png,
-            of_run(
-                rules.figure_complete_collapse.output.png,
-                complete=COMPLETE_MODELS,
-                record=RUNS.key("complete.check_record"),
-                direction=RUNS.key("complete.check_direction"),
-            ),
         ),

@@ -2,10 +2,7 @@
 
     python3 yade_scripts complete_history --scene complete/CBc_6_bricks.json
         --motion smdof/RRS228_4dof.csv --direction neg --pga 0.1 --output history.csv
-        --cost history.json [--until 6] [--apart] [--frames frames.json]
-
-or, in place of --pga, --collapse ida/CB/RRS228_neg.csv: the lowest intensity that fell, or the
-highest that was run.
+        --cost history.json [--until 6] [--apart]
 
 Displacements are relative to the ground. With --apart façade and building stand each alone:
 the nodes between them are left out.
@@ -13,12 +10,10 @@ the nodes between them are left out.
 
 import resource
 import time
-from dataclasses import replace
 
 import numpy as np
 
 from studies.building.yade.complete import apart
-from studies.shared.yade.frames import Camera
 from yade_scripts.commands import command, shaking
 from yade_scripts.commands.tables import history_csv
 from yade_scripts.engine import adapter, loop
@@ -26,7 +21,7 @@ from yade_scripts.files import write_atomic, write_json
 from yade_scripts.model import models
 from yade_scripts.model.motion import amplitude
 
-SAMPLE_S, FRAME_S = 0.005, 0.05  # between samples, and between frames
+SAMPLE_S = 0.005  # between samples
 COLUMNS = ("time_s", "d_over_b", "top_m", "ends_m", "facade_m", "broken")
 
 
@@ -64,35 +59,24 @@ def main(arguments=None):
     words = [word for word in command.CURVE if word != "record"]
     texts = {"output": "history to write (CSV)", "cost": "outcome and cost (JSON)"}
     parser = command.parser(__doc__, *words, **texts)
-    command.add_intensity(parser)
+    parser.add_argument("--pga", type=float, required=True, help="intensity [g]")
     parser.add_argument("--until", type=float, help="end of motion and run [s]")
     parser.add_argument("--apart", action="store_true", help="nothing between façade and building")
-    parser.add_argument("--frames", help="poses of all blocks (JSON)")
-    parser.add_argument("--fall", type=float, default=1.0, help="d/b at which to stop")
     args = parser.parse_args(arguments)
-    pga_g = command.intensity(args, or_highest=True)
     case, time_s, columns = command.opened(args)
     scene, numerics = models.build_scene(case), models.numerics(case)
     if args.apart:
         scene = apart(scene)
-    factor = amplitude(columns["ground"], args.direction, pga_g)
+    factor = amplitude(columns["ground"], args.direction, args.pga)
     if args.until is not None:
         kept = time_s <= args.until + 1e-9
         time_s, columns = time_s[kept], {"ground": columns["ground"][kept]}
         numerics = {**numerics, "after_motion_s": 0.0}
     adapter.load_yade()
     shaken = shaking.set_up(scene, numerics, time_s, columns, factor)
-    shaken = replace(shaken, rules=replace(shaken.rules, overturn_ratio=args.fall))
     recorder = Recorder(scene)
-    camera = Camera(scene, FRAME_S) if args.frames else None
-
-    def setup(built):
-        recorder(built)
-        if camera:
-            camera.attach(built)
-
     cpu = time.process_time()
-    history = shaken.checked(setup=setup)
+    history = shaken.checked(setup=recorder)
     cpu = time.process_time() - cpu
     rows = np.array(recorder.rows)
     d_over_b = np.interp(rows[:, 0], history.time_s, history.d_m) / scene.thickness_m
@@ -111,6 +95,4 @@ def main(arguments=None):
         "memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0,
     }
     write_json(args.cost, cost, sort_keys=True)
-    if camera:
-        camera.write(args.frames, history, pga_g=pga_g, model=case["model"])
     return 0
