@@ -50,35 +50,6 @@ rule table_building_alternatives:
         "scripts/table_building_alternatives.py"
 
 
-rule building_cost:
-    input:
-        plan=plan_file("building.plan"),
-        fit=rules.building_fit.output[0],
-    output:
-        results("building/cost_{building}_{coarsening}.json"),
-    benchmark:
-        benchmarks("building_cost_{building}_{coarsening}")
-    resources:
-        mem_mb=lambda w: 6000 if float(w.coarsening) < 1.2 else 1500,
-    params:
-        building=values_of("building", *BRICK_MODEL),
-    script:
-        "scripts/building_cost.py"
-
-
-rule table_building_convergence:
-    input:
-        cost=of_run(
-            rules.building_cost.output[0],
-            building=["CBDEM", "SBDEM"],
-            coarsening=sizes("convergence"),
-        ),
-    output:
-        shown_table("building_convergence", "Building", "convergence and cost of the modes"),
-    script:
-        "scripts/table_building_convergence.py"
-
-
 rule building_history:
     input:
         plan=plan_file("building.plan"),
@@ -187,7 +158,6 @@ rule building:
             rules.table_building_modes.output,
             rules.table_wme.output.wme,
             rules.table_wme.output.chain,
-            rules.table_building_convergence.output,
             rules.table_building_explicit_cost.output,
             rules.fig01_building.output.png,
             rules.fig02_modes.output.png,
