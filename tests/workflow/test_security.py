@@ -70,7 +70,7 @@ def test_hostile_run_and_record_names_in_the_configuration_are_refused(name):
     given += [{"complete": {"check_record": name}}, {"compare": [name]}]
     if "complete" in SECTIONS:  # studies may be deleted; these options stand unquoted in commands
         given.append({"complete": {"check_direction": name}})
-        given.append({"building": {"explicit_cost_steps": name}})
+        given.append({"complete": {"check_pga_g": name}})
     for sections in given:
         with pytest.raises(config.ConfigError) as caught:
             config.expand_scenarios(sections)

@@ -34,7 +34,6 @@ rule building_explicit:
         modules=command_code("explicit_building"),
     output:
         history=results("building/explicit_{load}_{record}.csv"),
-        cost=results("building/explicit_{load}_{record}.json"),
     log:
         logs("building_explicit_{load}_{record}"),
     benchmark:
@@ -46,8 +45,7 @@ rule building_explicit:
         gravity=lambda w: {"plain": 0.0, "loaded": GRAVITY_M_S2}[w.load],
     shell:
         "{params.yade} explicit_building --scene {input.scene:q} --motion {input.record:q}"
-        " --gravity {params.gravity} --output {output.history:q} --cost {output.cost:q}"
-        " 2> {log:q}"
+        " --gravity {params.gravity} --output {output.history:q} 2> {log:q}"
 
 
 rule table_building_explicit:
@@ -72,40 +70,3 @@ rule table_building_explicit:
         building=values_of("building", *BRICK_MODEL),
     script:
         "scripts/table_building_explicit.py"
-
-
-rule building_explicit_cost:
-    input:
-        scene=rules.building_explicit_scene.output[0],
-        record=of_run(
-            rules.own_record.output.record,
-            record=lambda run: RUNS.named("building.wme_records")(run)[0],
-        ),
-        yade=rules.yade_check.output[0],
-        modules=command_code("explicit_building"),
-    output:
-        history=temp(results("building/explicit_cost_{coarsening}.csv")),
-        cost=results("building/explicit_cost_{coarsening}.json"),
-    log:
-        logs("building_explicit_cost_{coarsening}"),
-    params:
-        yade=YADE,
-        steps=value_of("building.explicit_cost_steps"),
-    shell:
-        "{params.yade} explicit_building --scene {input.scene:q} --motion {input.record:q}"
-        " --steps {params.steps} --output {output.history:q} --cost {output.cost:q}"
-        " 2> {log:q}"
-
-
-rule table_building_explicit_cost:
-    input:
-        cost=of_run(
-            rules.building_explicit_cost.output.cost,
-            coarsening=sizes("explicit_convergence"),
-        ),
-    output:
-        shown_table("building_explicit_cost", "Building", "cost of the explicit run"),
-    params:
-        coarsenings=value_of("building.explicit_convergence"),
-    script:
-        "scripts/table_building_explicit_cost.py"

@@ -22,11 +22,6 @@ def is_case_study(run):
     return Path(RUNS.settings[run]["building"]["plan"]).stem.startswith("case_study")
 
 
-def sizes(key):
-    """Brick sizes of a key of the section, as they stand in names of files."""
-    return lambda run: [f"{size:g}" for size in RUNS.settings[run]["building"][key]]
-
-
 rule table_building_modes:
     input:
         cbdem=of_run(rules.building_modal.output[0], building="CBDEM"),
@@ -158,7 +153,6 @@ rule building:
             rules.table_building_modes.output,
             rules.table_wme.output.wme,
             rules.table_wme.output.chain,
-            rules.table_building_explicit_cost.output,
             rules.fig01_building.output.png,
             rules.fig02_modes.output.png,
             of_run(rules.fig03_wme.output.png, record=RUNS.named("building.wme_records")),

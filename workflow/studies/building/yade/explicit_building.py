@@ -10,8 +10,6 @@ ground: the ground is fixed, every block feels −m·a_g along y and, where it i
 from the first step on; `LinearDragEngine` gives mass-proportional damping.
 """
 
-import resource
-import time
 from dataclasses import replace
 
 import numpy as np
@@ -19,7 +17,7 @@ import numpy as np
 from yade_scripts.commands import command
 from yade_scripts.commands.tables import history_csv
 from yade_scripts.engine import adapter, loop
-from yade_scripts.files import read_json, write_atomic, write_json
+from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.motion import SupportMotion
 from yade_scripts.model.scene import from_dict
@@ -86,43 +84,24 @@ def corner(scene):
 
 
 def main(arguments=None):
-    """Parse the command line, run, write history and cost; return the exit status."""
+    """Parse the command line, run, write the history; return the exit status."""
     texts = {"motion": "time_s, ground acceleration in m/s² (CSV)", "output": "history (CSV)"}
     parser = command.parser(__doc__, "scene", **texts)
-    parser.add_argument("--steps", type=int, help="number of steps; default the scene's duration")
     parser.add_argument("--gravity", type=float, default=0.0, help="downward, sudden [m/s²]")
-    parser.add_argument("--cost", help="JSON with steps, wall time and memory")
     options = parser.parse_args(arguments)
     scene = from_dict(read_json(options.scene, "nodes", "blocks"))
     with open(options.motion, encoding="utf-8") as handle:
         lines = [line for line in handle if not line.startswith("#")]
     motion = np.loadtxt(lines[1:], delimiter=",", usecols=(0, 1))
     rate, step, duration = (scene.notes[key] for key in ("rate_1_s", "step_s", "duration_s"))
-    if options.steps is not None:
-        duration = options.steps * step
     duration = min(duration, motion[-1, 0])
     limit = scene.notes.get("omega_max_rad_s")
     if limit and step >= 2.0 / limit:
         raise ValueError(f"step of {step:g} s: expected less than the critical {2.0 / limit:g} s")
     points = [scene.index(scene.monitor), corner(scene)]
-    clocks = [(time.perf_counter(), time.process_time())]
     building = ExplicitBuilding(scene, motion[:, 0], motion[:, 1], step, rate, options.gravity)
-    clocks.append((time.perf_counter(), time.process_time()))
     t, acceleration, displacement = building.run(duration, points)
-    clocks.append((time.perf_counter(), time.process_time()))
     found = np.vstack([t, acceleration, displacement]).T
     formats = dict.fromkeys(COLUMNS, ".9g")
     write_atomic(options.output, history_csv({}, COLUMNS, found, formats))
-    if options.cost:
-        cost = {
-            "blocks": len(scene.blocks),
-            "pairs": len(scene.nodes),
-            "steps": len(t),
-            "step_s": step,
-            "build_s": clocks[1][0] - clocks[0][0],
-            "run_s": clocks[2][0] - clocks[1][0],
-            "run_cpu_s": clocks[2][1] - clocks[1][1],
-            "memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0,
-        }
-        write_json(options.cost, cost)
     return 0
