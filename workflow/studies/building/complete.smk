@@ -103,7 +103,7 @@ CHECK_MOTION = of_run(
 
 rule complete_scene:
     input:
-        plan=plan_file("building.plan"),
+        plan=plan_file,
         fit=rules.building_fit.output[0],
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,
@@ -117,7 +117,7 @@ rule complete_scene:
 
 rule complete_scan:
     input:
-        plan=plan_file("building.plan"),
+        plan=plan_file,
         fit=rules.building_fit.output[0],
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,

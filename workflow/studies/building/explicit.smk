@@ -9,7 +9,7 @@ def explicit_size(run):
 
 rule building_explicit_scene:
     input:
-        plan=plan_file("building.plan"),
+        plan=plan_file,
         fit=rules.building_fit.output[0],
     output:
         results("building/explicit_scene_{coarsening}.json"),
@@ -50,7 +50,7 @@ rule building_explicit:
 
 rule table_building_explicit:
     input:
-        plan=plan_file("building.plan"),
+        plan=plan_file,
         fit=rules.building_fit.output[0],
         scene=of_run(rules.building_explicit_scene.output[0], coarsening=explicit_size),
         plain=of_run(rules.building_explicit.output.history, load="plain"),

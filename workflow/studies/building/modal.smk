@@ -15,25 +15,18 @@ wildcard_constraints:
     building="CBDEM|SBDEM",
 
 
-def plan_file(key):
-    """Input function: the plan, or the list of plans, that a key names."""
-
-    def found(path):
-        there = RUNS.find_file(path)
-        if not Path(there).exists():
-            raise SystemExit(f"error: {key}: there is no file '{path}'")
-        return there
-
-    def files(wildcards):
-        named = RUNS.key(key)(wildcards.run)
-        return found(named) if isinstance(named, str) else [found(p) for p in named]
-
-    return files
+def plan_file(wildcards):
+    """Plan of the building of a run."""
+    path = RUNS.key("building.plan")(wildcards.run)
+    there = RUNS.find_file(path)
+    if not Path(there).exists():
+        raise SystemExit(f"error: building.plan: there is no file '{path}'")
+    return there
 
 
 rule building_fit:
     input:
-        plan=plan_file("building.plan"),
+        plan=plan_file,
     output:
         results("building/fit.json"),
     benchmark:
@@ -46,7 +39,7 @@ rule building_fit:
 
 rule building_modal:
     input:
-        plan=plan_file("building.plan"),
+        plan=plan_file,
         fit=rules.building_fit.output[0],
     output:
         results("building/{building}_modes.npz"),

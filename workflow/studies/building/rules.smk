@@ -34,20 +34,9 @@ rule table_building_modes:
         "scripts/table_building_modes.py"
 
 
-rule table_building_alternatives:
-    input:
-        plans=all_of(plan_file("building.plan"), plan_file("building.alternative_plans")),
-    output:
-        shown_table("building_alternatives", "Building", "periods of alternative plans"),
-    params:
-        building=values_of("building", *BRICK_MODEL),
-    script:
-        "scripts/table_building_alternatives.py"
-
-
 rule building_history:
     input:
-        plan=plan_file("building.plan"),
+        plan=plan_file,
         fit=rules.building_fit.output[0],
         modes=rules.building_modal.output[0],
         record=rules.own_record.output.record,
@@ -85,7 +74,7 @@ figure_by(
     "fig01_building",
     "Building",
     "1: brick models",
-    plan=plan_file("building.plan"),
+    plan=plan_file,
     params=dict(building=values_of("building", *BRICK_MODEL)),
 )
 
@@ -95,7 +84,7 @@ figure_by(
     "fig02_modes",
     "Building",
     "2: modes",
-    plan=plan_file("building.plan"),
+    plan=plan_file,
     fit=rules.building_fit.output[0],
     cbdem=of_run(rules.building_modal.output[0], building="CBDEM"),
     sbdem=of_run(rules.building_modal.output[0], building="SBDEM"),
@@ -160,10 +149,6 @@ rule building:
                 rules.table_building_explicit.output.png,
                 rules.table_building_explicit.output.table,
                 record=RUNS.named("building.explicit_records"),
-            ),
-            where(
-                RUNS.key("building.alternative_plans"),
-                rules.table_building_alternatives.output,
             ),
             where(is_case_study, rules.table_claims_building.output),
         ),
