@@ -12,8 +12,6 @@ from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 from yade_scripts.model import stiffness
 
-from .ordering import equation_order
-
 DIRECTIONS = ("x", "y", "z", "rx", "ry", "rz")
 CHUNK_NODES = 16384
 
@@ -134,11 +132,10 @@ class Solver:
         """Assemble and factorise."""
         self.scene = scene
         self.k, self.mass, self.dof = matrices(scene)
-        self._order = equation_order(scene, self.dof)
         try:
             self._lu = splu(
-                sparse.csc_array(self.k[self._order][:, self._order]),
-                permc_spec="NATURAL",
+                sparse.csc_array(self.k),
+                permc_spec="MMD_AT_PLUS_A",
                 diag_pivot_thresh=0.0,
                 options={"SymmetricMode": True},
             )
@@ -147,9 +144,7 @@ class Solver:
 
     def static(self, force):
         """Return the displacements K⁻¹f of a static load f, shape (n,)."""
-        displacement = np.empty(len(self.mass))
-        displacement[self._order] = self._lu.solve(np.asarray(force, float)[self._order])
-        return displacement
+        return self._lu.solve(np.asarray(force, float))
 
     def mass_with(self, added_kg):
         """Return the diagonal of M with mass spread evenly over blocks, {index: kg}.

@@ -9,14 +9,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
 from scipy.optimize import brentq
-from scipy.sparse import csc_array
-from scipy.sparse.linalg import splu, spsolve
+from scipy.sparse.linalg import spsolve
 from studies.building.case import fit_floor_load, read_plan, translation_mode
 from studies.building.model.assembly import build
 from studies.building.model.bricks import Brick, lay
 from studies.building.model.contacts import KINDS, Joints
-from studies.building.modes import Solver, largest_frequency, matrices, rigid_motions
-from studies.building.ordering import equation_order
+from studies.building.modes import Solver, largest_frequency, rigid_motions
 
 from yade_scripts.model import stiffness
 from yade_scripts.model.building.plan import Opening, Plan, PlanError, PlanWall, plan_from_dict
@@ -249,21 +247,6 @@ def test_pile_converges_to_a_shear_rigid_section_beam_at_second_order():
     rates = np.log2(np.array(errors[:-1]) / np.array(errors[1:]))
     assert rates == pytest.approx(2.0, abs=0.3)
     assert errors[-1].max() < 0.005
-
-
-def test_elimination_order_is_a_permutation_with_less_fill():
-    scene = build(read_plan(BUILDINGS / "case_study.yaml"), coarsening=3.0).scene
-    k, _, dof = matrices(scene)
-    order = equation_order(scene, dof)
-    assert sorted(order) == list(range(len(dof)))
-
-    def fill(permutation):
-        ordered = csc_array(k[permutation][:, permutation])
-        options = {"SymmetricMode": True}
-        lu = splu(ordered, permc_spec="NATURAL", diag_pivot_thresh=0.0, options=options)
-        return lu.L.nnz
-
-    assert fill(order) < 0.5 * fill(np.arange(len(dof)))
 
 
 def test_floor_load_fit_reaches_the_period():
