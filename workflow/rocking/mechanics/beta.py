@@ -153,41 +153,6 @@ def half_widths(law):
     return factor * np.sqrt(np.diag(np.array(law.covariance)))
 
 
-def dimensional_error(b_m, e_mpa, slenderness, betas_s):
-    """Refit eq. 5's own form, β = (c1·b + c2·E + c3)·exp(h/b·(c4·E + c5)), for comparison.
-
-    Nonlinear least squares of ln β from the printed coefficients, b in m and E in MPa; the
-    leave-one-out error comes from refitting without each wall. Returns the coefficients, shape
-    (5,), the residual standard deviation and the leave-one-out error of ln β; a CalibrationError
-    for fewer walls than the form needs.
-    """
-    x = np.stack([np.asarray(v, float) for v in (b_m, e_mpa, slenderness)], axis=1)
-    y = np.log(np.asarray(betas_s, float))
-    if len(y) < 8:
-        raise CalibrationError(f"eq. 5's form: {len(y)} walls, expected at least 8")
-    printed = np.array([1.0 / 384.0, -1.0 / 5.6e6, 0.00074, -1.0 / 1.2e5, 6572.0 / 1.2e5])
-
-    def log_beta(scaled, rows):
-        c = scaled * printed
-        front = np.maximum(c[0] * rows[:, 0] + c[1] * rows[:, 1] + c[2], 1e-9)
-        return np.log(front) + rows[:, 2] * (c[3] * rows[:, 1] + c[4])
-
-    def solve(keep):
-        return scipy.optimize.least_squares(
-            lambda c: log_beta(c, x[keep]) - y[keep], np.ones(5), x_scale="jac"
-        ).x
-
-    every = np.arange(len(y))
-    best = solve(every)
-    residual = y - log_beta(best, x)
-    left_out = [y[i] - log_beta(solve(every[every != i]), x[i : i + 1])[0] for i in every]
-    return (
-        best * printed,
-        float(np.sqrt(residual @ residual / (len(y) - 5))),
-        float(np.sqrt(np.mean(np.square(left_out)))),
-    )
-
-
 def read_law(path=LAW_FILE, base=bases.STUDY):
     """Read the law that was fitted on a base; a CalibrationError where the file has none for it."""
     laws = read_laws(path)
