@@ -24,12 +24,12 @@ LINEAR_MODES = 60  # of `linear_history`
 OWN = ("step_fraction", "quiet_ratio", "rest_velocity_m_s", "sample_interval_s")  # of numerics
 
 
-def complete_building(config, plan, load_kg_m2, model, beta_s, coarsening=None, back_joint=None):
+def complete_building(config, plan, load_kg_m2, model, beta_s, coarsening=None):
     """Build the scene of CB or CBc, with its critical step.
 
     `config` has sections building, complete, facade, return_wall and numerics; a plan has its front
-    façade. None takes the load of the plan, the configured coarsening and back joint. Notes of the
-    scene are critical_step_s, rate_1_s (the mass-proportional damping that gives
+    façade. None takes the load of the plan, and the configured coarsening. Notes of the scene are
+    critical_step_s, rate_1_s (the mass-proportional damping that gives
     building.damping_ratio in the first mode along y of what stands behind the crack) and
     mass_behind_kg.
     """
@@ -46,7 +46,6 @@ def complete_building(config, plan, load_kg_m2, model, beta_s, coarsening=None, 
         crack,
         beta_s,
         bonded=COMPLETE[model].bonded,
-        back_joint=own["back_joint"] if back_joint is None else back_joint,
         masonry=(real_brick(settings), real_joints(settings)),
         rate_1_s=rate,
     )
@@ -54,7 +53,7 @@ def complete_building(config, plan, load_kg_m2, model, beta_s, coarsening=None, 
     return scene
 
 
-def scene_of(config, job, model, coarsening=None, back_joint=None, extra_nodes=0):
+def scene_of(config, job, model, coarsening=None, extra_nodes=0):
     """Scene of CB or CBc from a job's inputs plan, fit and law, and β.
 
     `config` is as of `complete_building`, its numerics with numbers for the nodes; `extra_nodes`
@@ -67,7 +66,7 @@ def scene_of(config, job, model, coarsening=None, back_joint=None, extra_nodes=0
     own = {**own, "nodes_per_course": own["nodes_per_course"] + extra_nodes}
     config = {**config, "numerics": numerics, "complete": own}
     plan = read_plan(job.input.plan)
-    return complete_building(config, plan, load, model, beta, coarsening, back_joint), beta
+    return complete_building(config, plan, load, model, beta, coarsening), beta
 
 
 def critical_step(scene):

@@ -1,7 +1,5 @@
 # The complete building: brick model, façade cracked off (CB) or bonded (CBc). Not part of the main
 # job; ask for `complete`.
-from studies.building.yade.complete import BACK_JOINTS
-
 COMPLETE_SECTIONS = RUNS.params_of(
     "facade",
     "return_wall",
@@ -15,7 +13,6 @@ COMPLETE_SECTIONS = RUNS.params_of(
 
 wildcard_constraints:
     complete="|".join(COMPLETE),
-    back="bricks|facade",
 
 
 def complete_settings(run):
@@ -23,23 +20,15 @@ def complete_settings(run):
     return RUNS.settings[run]["complete"]
 
 
-def bricks(run, coarsening=None, back=None):
-    """Wildcards of a scene: the configured brick size and back joint, or others."""
-    own = complete_settings(run)
-    size = own["coarsening"] if coarsening is None else coarsening
-    return {"coarsening": f"{size:g}", "back": back or own["back_joint"]}
+def bricks(run, coarsening=None):
+    """Wildcards of a scene: the configured brick size, or another."""
+    size = complete_settings(run)["coarsening"] if coarsening is None else coarsening
+    return {"coarsening": f"{size:g}"}
 
 
 def brick_sizes(run):
-    """Wildcards of the scenes of one back joint, by brick size."""
+    """Wildcards of the scenes by brick size."""
     return [bricks(run, size) for size in complete_settings(run)["convergence"]]
-
-
-def brick_models(run):
-    """Those, and of the configured size with the other back joint."""
-    joint = complete_settings(run)["back_joint"]
-    other = next(back for back in BACK_JOINTS if back != joint)
-    return [*brick_sizes(run), bricks(run, back=other)]
 
 
 def curve_scene(wildcards):
@@ -93,7 +82,7 @@ def two_way_curves(run):
     return [CurveKey(*names) for names in product(models, records, directions)]
 
 
-LEVELS = {"complete": "CB", "kind": "level", "cases": brick_models}
+LEVELS = {"complete": "CB", "kind": "level", "cases": brick_sizes}
 COMPLETE_MODELS = RUNS.key("complete.models")
 CHECK_MOTION = of_run(
     rules.floor_motions.output[0],
@@ -108,7 +97,7 @@ rule complete_scene:
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,
     output:
-        results("complete/cases/{complete}_{coarsening}_{back}.json"),
+        results("complete/cases/{complete}_{coarsening}.json"),
     params:
         config=COMPLETE_SECTIONS,
     script:
@@ -171,10 +160,10 @@ rule complete_history:
         yade=rules.yade_check.output[0],
         modules=command_code("complete_history"),
     output:
-        history=results("complete/histories/{complete}_{coarsening}_{back}_{kind}.csv"),
-        cost=results("complete/histories/{complete}_{coarsening}_{back}_{kind}.json"),
+        history=results("complete/histories/{complete}_{coarsening}_{kind}.csv"),
+        cost=results("complete/histories/{complete}_{coarsening}_{kind}.json"),
     log:
-        logs("complete_history_{complete}_{coarsening}_{back}_{kind}"),
+        logs("complete_history_{complete}_{coarsening}_{kind}"),
     wildcard_constraints:
         kind="linear|ring|apart|level",
     params:
@@ -203,11 +192,11 @@ rule table_complete_checks:
 
 rule table_complete_convergence:
     input:
-        scenes=of_run(rules.complete_scene.output[0], complete="CB", cases=brick_models),
+        scenes=of_run(rules.complete_scene.output[0], complete="CB", cases=brick_sizes),
         costs=of_run(rules.complete_history.output.cost, **LEVELS),
         histories=of_run(rules.complete_history.output.history, **LEVELS),
     output:
-        shown_table("complete_convergence", "Complete building", "brick size and back joint"),
+        shown_table("complete_convergence", "Complete building", "brick size"),
     script:
         "scripts/table_complete_convergence.py"
 

@@ -13,7 +13,7 @@ from yade_scripts.model.scene import to_json
 def main(job):
     config, w = json.loads(job.params.config), job.wildcards
     config["numerics"], _ = choose(config, "W2", read_fidelity(job.input.fidelity))
-    scene, beta = scene_of(config, job, w.complete, float(w.coarsening), w.back)
+    scene, beta = scene_of(config, job, w.complete, float(w.coarsening))
     job_file = {
         "model": w.complete,
         "beta_s": beta,

@@ -1,4 +1,4 @@
-"""One history of the cracked building by brick size and back joint: period, answer, cost."""
+"""One history of the cracked building by brick size: period, answer, cost."""
 
 from pathlib import Path
 
@@ -15,7 +15,7 @@ def main(job):
     rows = []
     inputs = zip(job.input.scenes, job.input.costs, job.input.histories, strict=True)
     for scene_file, cost_file, history_file in inputs:
-        model, size, back = Path(scene_file).stem.split("_")
+        model, size = Path(scene_file).stem.split("_")
         scene = from_dict(read_json(scene_file)["scene"])
         cost, history = read_json(cost_file), read_frame(history_file)
         modes = Solver(apart(scene)).modes(12)
@@ -23,7 +23,6 @@ def main(job):
             {
                 "model": model,
                 "coarsening": float(size),
-                "back_joint": back,
                 "bricks": scene.notes["bricks"],
                 "nodes": len(scene.nodes),
                 "period_s": modes.period_s[modes.largest("y")],

@@ -25,8 +25,6 @@ from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.return_walls import back_jkn, back_strength
 from yade_scripts.model.scene import DOFS, Interface, NodeList, Scene
 
-BACK_JOINTS = ("bricks", "facade")
-
 
 def front_wall(plan):
     """Return the façade wall along x that lies farthest outward; PlanError if the plan has none."""
@@ -67,21 +65,16 @@ def _refuse_across(wall):
             raise PlanError(f"wall '{wall.name}', opening '{opening.name}' lies across the crack")
 
 
-def complete_scene(config, building, crack_m, beta_s, *, bonded, back_joint, masonry, rate_1_s):
+def complete_scene(config, building, crack_m, beta_s, *, bonded, masonry, rate_1_s):
     """Scene of the complete building; its notes tell the mass behind the crack [kg].
 
     The `building` is what `behind` left, built, and has a mass-proportional damping of `rate_1_s`;
     `masonry` is the real brick, and the joints that are stated for it. β is that of the façade's
     base and back face; `bonded`, the back joint starts with the strengths of section return_wall.
-    `back_joint` says its jkn: "bricks", the half brick behind it, 2E/s, so that what yields is the
-    bricks alone; or "facade", E/L of the other models on top of the bricks. The dashpots are β·E/L
-    in both, for that is the stiffness whose β is calibrated. ValueError if no brick ends at the
-    crack behind the façade.
+    The back joint's jkn is that of the half brick there, 2E/s: what yields is the bricks alone. The
+    dashpots are β·E/L, for that is the stiffness whose β is calibrated. ValueError if no brick ends
+    at the crack behind the façade.
     """
-    if back_joint not in BACK_JOINTS:
-        raise ValueError(
-            f"complete.back_joint = '{back_joint}': expected {' or '.join(BACK_JOINTS)}"
-        )
     own = Facade.of(config["facade"])
     own.refuse("the complete building", held=True)
     h, b, width = own.height_m, own.thickness_m, own.width_m
@@ -109,7 +102,7 @@ def complete_scene(config, building, crack_m, beta_s, *, bonded, back_joint, mas
         (middle - 0.5 * width, middle + 0.5 * width, crack_m),
         beta_s,
         bonded,
-        joints.moduli(brick)[0] if back_joint == "bricks" else None,  # of the head joints
+        joints.moduli(brick)[0],  # of the head joints
     )
     before = len(nodes.joints)
     for i in ends:
@@ -134,7 +127,7 @@ class _BackJoints:
     """The joints of a façade, a block by its index, with the bricks that end behind it.
 
     `face` is x of the façade's edges and y of the crack [m]; `moduli` those of the half brick
-    behind a joint, normal and shear [Pa], None: jkn of the other models.
+    behind a joint, normal and shear [Pa].
     """
 
     nodes: NodeList
@@ -143,7 +136,7 @@ class _BackJoints:
     face: tuple
     beta_s: float
     bonded: bool
-    moduli: tuple | None
+    moduli: tuple
 
     def touch(self, bricks, brick):
         """Add the joint of one brick that ends at the crack, if it ends behind the façade."""
@@ -159,10 +152,7 @@ class _BackJoints:
         line = np.stack(
             [0 * points + 0.5 * (x0 + x1), 0 * points + crack_m, z0 + points * (z1 - z0)], axis=1
         )
-        jkn_back = back_jkn(config)
-        jkn, jks = jkn_back, own.shear_stiffness_ratio * jkn_back
-        if self.moduli is not None:
-            jkn, jks = (2.0 * e / (crack_m - y0) for e in self.moduli)
+        jkn, jks = (2.0 * e / (crack_m - y0) for e in self.moduli)
         self.nodes.add_joint(
             bricks.name(brick),
             brick,
@@ -173,7 +163,7 @@ class _BackJoints:
             Interface(
                 jkn,
                 jks,
-                beta_s=self.beta_s * jkn_back / jkn,
+                beta_s=self.beta_s * back_jkn(config) / jkn,
                 gap_m=own.gap_m,
                 **back_strength(config["return_wall"], self.bonded),
             ),

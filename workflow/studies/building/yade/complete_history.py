@@ -1,6 +1,6 @@
 """Entry point: one history of the complete building, with the motion of its floors.
 
-    python3 yade_scripts complete_history --scene complete/CBc_6_bricks.json
+    python3 yade_scripts complete_history --scene complete/cases/CBc_6.json
         --motion smdof/RRS228_4dof.csv --direction neg --pga 0.1 --output history.csv
         --cost history.json [--until 6] [--apart]
 
