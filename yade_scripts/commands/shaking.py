@@ -28,15 +28,15 @@ class Shaking:
     node_radius_m: float
     retry: bool
 
-    def run(self, making=simulate.AS_USUAL, **how):
-        """Run it as it is; `making` and `how` go to `simulate.run` (set-up, check)."""
+    def run(self, **how):
+        """Run it as it is; `how` goes to `simulate.run` (set-up, check)."""
         return simulate.run(
             self.scene,
             self.motions,
             self.step_s,
             self.rules,
             sample_s=self.sample_s,
-            making=making._replace(node_radius_m=self.node_radius_m),
+            making=simulate.Making(node_radius_m=self.node_radius_m),
             **how,
         )
 

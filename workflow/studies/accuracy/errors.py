@@ -11,43 +11,40 @@ from yade_scripts.model import registry
 
 ADAPTIVE = "adaptive reference"
 COMPILED = "compiled planar"
+GRID = "nodes and step"  # of YADE
 WITHIN = 0.01  # the error up to which a history counts as right
 TABLE_COLUMNS = (
     *("scene", "method", "nodes", "dt_over_dt_crit", "error", "realtime_factor", "wall_s"),
     *("d_over_b", "d_over_b_reference", "repeats", "default", "amplification", "half"),
 )
-OTHERS = ("lag not compensated", "python drive", "full 3D")  # other ways of running the default
+
+
+def reporting(table):
+    """Rows of the half that reports; all where there are none."""
+    mine = table[table["half"] == REPORTING]
+    return mine if len(mine) else table
 
 
 def charted(drawn, count):
-    """Cases that every method runs: the first so many drawn ones of the half that reports."""
-    mine = drawn[drawn["half"] == REPORTING]
-    mine = mine if len(mine) else drawn
-    return set(mine.groupby("model", sort=False).head(count)["case"])
+    """Cases that other engines run too: the first so many drawn ones of the half that reports."""
+    return set(reporting(drawn).groupby("model", sort=False).head(count)["case"])
 
 
 def plan_runs(drawn, settings, scenes):
     """Runs of YADE of the `histories.sampled` cases, record by record.
 
     `scenes` are the case files by model; what one chooses is run where the grid of `settings`
-    (section accuracy: nodes, step_fractions, chart_histories) lacks it. A run has case, model,
-    record, direction, pga_g, method, nodes, step_fraction and factor.
+    (section accuracy: nodes, step_fractions) lacks it. A run has case, model, record, direction,
+    pga_g, method, nodes, step_fraction and factor.
     """
     keys = ["case", "model", "record", "direction", "pga_g"]
-    everything = charted(drawn, settings["chart_histories"])
     runs = []
     for case in drawn.sort_values(["record", "case"])[keys].to_dict("records"):
-        one = {**case, "nodes": None, "step_fraction": None, "factor": 1.0}
+        one = {**case, "method": GRID, "nodes": None, "step_fraction": None, "factor": 1.0}
         grid = list(itertools.product(settings["nodes"], settings["step_fractions"]))
         if chosen_pair(scenes[case["model"]]) not in grid:
-            runs.append({**one, "method": "nodes and step"})
-        runs += [
-            {**one, "method": "nodes and step", "nodes": n, "step_fraction": f} for n, f in grid
-        ]
-        if case["case"] in everything:
-            runs += [{**one, "method": method} for method in OTHERS]
-            if case["model"] == "W1":  # some 10,000 steps/s: a step of 0.05 would take minutes
-                runs.append({**one, "method": "Polyhedra", "step_fraction": 0.2})
+            runs.append(one)
+        runs += [{**one, "nodes": n, "step_fraction": f} for n, f in grid]
     return runs
 
 
@@ -74,7 +71,7 @@ def errors(runs, histories, defaults):
     reference = reference.mask(rows["method"] == ADAPTIVE, judged)
     value = rows["d_over_b"].where(rows["status"] != "failed").clip(upper=1.0)
     default = [
-        method == "nodes and step"
+        method == GRID
         and nodes == defaults[model][0]
         and math.isclose(fraction, defaults[model][1] or 0.0, rel_tol=1e-3)
         for model, method, nodes, fraction in rows[

@@ -5,19 +5,22 @@ from rocking.figures import style
 from rocking.figures.panels import common_legend, panels, plain_log
 from rocking.runtime.script import run
 from rocking.tables import read_frame
-from studies.accuracy.errors import ADAPTIVE, COMPILED, pareto_front, same_cases, summary
+from studies.accuracy.errors import (
+    ADAPTIVE,
+    COMPILED,
+    GRID,
+    pareto_front,
+    reporting,
+    same_cases,
+    summary,
+)
 
-GRID = "nodes and step"
 METHODS = {  # marker, colour
     GRID: ("o", "#0072B2"),
     COMPILED: ("^", "#009E73"),
     ADAPTIVE: ("d", "0.3"),
-    "lag not compensated": ("X", "#CC79A7"),
-    "python drive": ("P", "#999933"),
-    "full 3D": ("D", "#E69F00"),
     "MuJoCo": ("s", "#56B4E9"),
     "Drake": ("h", "#8C510A"),
-    "Polyhedra": ("v", "#D55E00"),
 }
 FLOOR = 1e-5  # smallest error drawn
 
@@ -59,7 +62,7 @@ def panel(axis, table, cases, counts):
 def main(job):
     table = read_frame(job.input.table)
     table["model"] = table["scene"].str.split().str[0]
-    common = same_cases(table)
+    common = same_cases(reporting(table))
     cases = common.groupby("model")["scene"].nunique()
     spread = summary(common, keys=("model",)).replace(np.inf, 1.0)
     models = sorted(spread["model"].unique())

@@ -129,21 +129,20 @@ def test_methods_stand_on_the_same_cases():
     assert common.groupby("method").size().tolist() == [2, 2]
 
 
-def test_every_method_runs_the_charted_cases():
+def test_other_engines_run_some_of_the_reporting_cases_and_yade_its_own_pair_too():
     rows = [
         {"case": f"{m} {h} {i}", "model": m, "record": "r", "direction": "pos", "half": h}
         for m in ("W1", "W2")
         for h in ("choosing", "reporting")
         for i in range(3)
     ]
-    settings = {"nodes": [9, 17], "step_fractions": [0.1], "chart_histories": 2}
+    settings = {"nodes": [9, 17], "step_fractions": [0.1]}
     numerics = {"nodes_height": 9, "nodes_per_block": 9, "step_fraction": 0.05}
     scenes = {m: {"model": m, "numerics": numerics} for m in ("W1", "W2")}
     table = pd.DataFrame(rows)
     planned = pd.DataFrame(study.plan_runs(table.assign(pga_g=0.1), settings, scenes))
-    charted = study.charted(table, 2)
-    assert len(charted) == 4
-    assert set(planned.loc[planned["method"] == "full 3D", "case"]) == charted
-    assert (planned["method"] == "Polyhedra").sum() == 2
-    own = planned[(planned["method"] == "nodes and step") & planned["nodes"].isna()]
+    expected = {f"{m} reporting {i}" for m in ("W1", "W2") for i in (0, 1)}
+    assert study.charted(table, 2) == expected
+    own = planned[planned["nodes"].isna()]
     assert len(own) == table["case"].nunique()  # the default pair is not in the grid
+    assert len(planned) == 3 * len(own)
