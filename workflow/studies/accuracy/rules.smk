@@ -4,12 +4,6 @@ ACCURACY_CURVES = {
     "record": RUNS.named("accuracy.records"),
     "direction": RUNS.key("accuracy.directions"),
 }
-ENERGY_RUNS = {
-    "model": RUNS.key("accuracy.energy_models"),
-    "record": RUNS.named("accuracy.records"),
-    "direction": lambda run: RUNS.settings[run]["accuracy"]["directions"][0],
-    "share": lambda run: f"{RUNS.settings[run]['accuracy']['energy_share']:g}",
-}
 
 
 def accuracy_cases(wildcards):
@@ -167,54 +161,9 @@ figure_by(
 )
 
 
-# Energy balance of single runs.
-rule energy_balance:
-    input:
-        case=rules.facade_case.output[0],
-        motion=of_run(rules.floor_motions.output[0]),
-        curve=rules.ida.output[0],
-        yade=rules.yade_check.output[0],
-        modules=command_code("energy"),
-    output:
-        results("energy/{model}/{record}_{direction}_{share}.csv"),
-    log:
-        logs("energy_{model}_{record}_{direction}_{share}"),
-    wildcard_constraints:
-        share=r"\d+(\.\d+)?",
-    params:
-        yade=YADE,
-    shell:
-        "{params.yade} energy --scene {input.case:q} --motion {input.motion:q}"
-        " --record {wildcards.record:q} --direction {wildcards.direction}"
-        " --curve {input.curve:q} --share {wildcards.share:q} --output {output:q}"
-        " 2> {log:q}"
-
-
-rule table_energy_balance:
-    input:
-        histories=of_run(rules.energy_balance.output[0], **ENERGY_RUNS),
-    output:
-        shown_table("energy_balance", "Accuracy and stability", "energy balance"),
-    params:
-        share=value_of("accuracy.energy_share"),
-    script:
-        "scripts/table_energy_balance.py"
-
-
-figure_by(
-    "studies/accuracy/scripts/figure_energy_balance",
-    "energy_balance",
-    "Accuracy and stability",
-    "energy balance",
-    histories=of_run(rules.energy_balance.output[0], **ENERGY_RUNS),
-    facts=of_run(rules.own_record.output.facts, record=RUNS.named("accuracy.records")),
-    params=dict(share=value_of("accuracy.energy_share")),
-)
-
-
 rule accuracy:
     """
-    Critical step, convergence, chaos, energy balance, speed against accuracy.
+    Critical step, convergence, chaos, speed against accuracy.
     Costs: 16 min.
     Page: docs/accuracy.md
     """
@@ -224,10 +173,8 @@ rule accuracy:
             rules.speed_accuracy.output.summary,
             rules.stability.output.trials,
             rules.stability.output.limits,
-            rules.table_energy_balance.output,
             rules.ensemble_realisations.output,
             rules.figure_speed_accuracy.output.png,
-            rules.figure_energy_balance.output.png,
             rules.figure_chaos.output.png,
         ),
 
