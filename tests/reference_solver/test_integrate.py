@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from planar_cases import facade
+from planar_cases import drive_of, facade
 from reference_solver import SupportTable, integrate
 from reference_solver.motion import integrate_linear
 
@@ -30,14 +30,7 @@ def test_supports_between_samples_are_those_of_the_motion(factor):
     """On straight lines between samples; mirrored, what is vertical stays; after it all rest."""
     draw = np.random.default_rng(4)
     motion = SupportTable(0.01, draw.normal(size=6), draw.normal(size=(2, 6)), draw.normal(size=6))
-    drive = integrate.Drive(
-        0.01,
-        motion.base_m_s2,
-        motion.vertical_m_s2,
-        motion.relative_m_s2,
-        motion.relative_m_s,
-        motion.relative_m,
-    )
+    drive = drive_of(motion)
     u, v = np.zeros(3), np.zeros(3)
     for k, tau in ((0, 0.0), (2, 0.004), (4, 0.01)):
         base, lift = integrate._support(drive, factor, k, tau, u, v)

@@ -7,14 +7,12 @@ blocks: `stack`. Façades of a configuration: `facade`.
 
 from .adaptive import AdaptiveHistory, simulate
 from .batch import BatchResult, simulate_batch
-from .integrate import Steps
 from .motion import SupportTable
 from .wall import Wall
 
 __all__ = [
     "AdaptiveHistory",
     "BatchResult",
-    "Steps",
     "SupportTable",
     "Wall",
     "simulate",

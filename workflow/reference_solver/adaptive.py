@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .contact import initial, law_of
-from .integrate import ADAPTED, COLUMNS, Control, Drive, fixed, march, units
+from .integrate import COLUMNS, Control, Drive, march, units
 from .motion import SupportTable
 
 ROWS = 4096  # room for rows at the start
@@ -71,7 +71,6 @@ def simulate(
     duration_s=None,
     theta0_over_alpha=0.0,
     tolerance=1e-6,
-    steps=ADAPTED,
     stop_d_over_b=2.0,
     scale=1.0,
 ):
@@ -92,7 +91,6 @@ def simulate(
         Release angle about the front toe; 0 is the block at rest on its base.
     tolerance : float
         Local error a step, as above.
-    steps : Steps
     stop_d_over_b : float
         Stops the run when |d/b| exceeds it.
     scale : float
@@ -109,9 +107,7 @@ def simulate(
         number of return-wall segments.
     """
     motion, duration = checked(wall, motion, duration_s)
-    longest_s, shortest_s, fixed_s = steps
-    stop_m = stop_d_over_b * wall.b_m
-    control = Control(duration, tolerance, longest_s, shortest_s, stop_m, fixed_s)
+    control = Control(duration, tolerance, stop_d_over_b * wall.b_m)
     angle = theta0_over_alpha * wall.alpha_rad
     marched = run(wall, motion, scale, angle, control, np.empty((ROWS, COLUMNS)))
     return _history(wall, marched, stop_d_over_b)
@@ -157,10 +153,9 @@ def run(wall, motion, scale, theta_rad, control, rows):
     if not wall.n_segments:  # nothing to push
         none = np.zeros((0, 2))
         drive = drive._replace(relative_m_s2=none, relative_m_s=none, relative_m=none)
-    loop = fixed if control.fixed_s > 0.0 else march
     control = Control(*map(float, control))
     state = initial(wall, float(theta_rad))
-    return loop(
+    return march(
         law_of(wall), drive, float(scale), state, units(wall), control, wall.n_segments, rows
     )
 

@@ -1,12 +1,11 @@
 """Peaks of many cases: amplitudes of one motion or release angles."""
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 
 from .adaptive import checked, ended, run
-from .integrate import ADAPTED, COLUMNS, Control
+from .integrate import COLUMNS, Control
 
 
 @dataclass(frozen=True)
@@ -35,7 +34,6 @@ def simulate_batch(
     duration_s=None,
     theta0_over_alpha=0.0,
     tolerance=1e-6,
-    steps=ADAPTED,
     stop_d_over_b=2.0,
 ):
     """Simulate one wall under one motion at many amplitudes, or from many release angles.
@@ -44,15 +42,11 @@ def simulate_batch(
     other parameters and errors are those of `simulate`.
     """
     motion, duration = checked(wall, motion, duration_s)
-    if not 0.0 <= steps.fixed_s < math.inf:
-        raise ValueError(f"steps.fixed_s: expected a positive step, got {steps.fixed_s}")
     scales, theta0 = np.broadcast_arrays(
         np.atleast_1d(np.asarray(scales, float)),
         np.atleast_1d(np.asarray(theta0_over_alpha, float)),
     )
-    longest_s, shortest_s, fixed_s = steps
-    stop_m = stop_d_over_b * wall.b_m
-    control = Control(duration, tolerance, longest_s, shortest_s, stop_m, fixed_s)
+    control = Control(duration, tolerance, stop_d_over_b * wall.b_m)
     rows = np.empty((0, COLUMNS))
     found = [
         run(wall, motion, scale, angle * wall.alpha_rad, control, rows)[2:7]

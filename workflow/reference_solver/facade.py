@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from reference_solver import Steps, SupportTable, Wall, simulate_batch
+from reference_solver import SupportTable, Wall, simulate_batch
 from reference_solver.stack import StackSolver
 from yade_scripts.model import base, floor_motions, registry, yielding
 from yade_scripts.model.facades import Facade
@@ -128,19 +128,8 @@ def answers(case, motion, direction, pga_g, *, nodes, tolerance):
     `motion` is (time_s, columns), as `floor_motions.read` gives it. The tolerance is that of one
     block; a stack takes the step of its solver.
     """
-    ground = motion[1][floor_motions.GROUND]
-    scales = [amplitude(ground, direction, g) for g in pga_g]
-    found = _histories(case, motion, scales, nodes, tolerance=tolerance)
-    found.d_over_b[[word == "failed" for word in found.status]] = np.nan
-    return found
-
-
-def _histories(case, motion, scales, nodes, **how):
-    """`Outcomes` at some factors on floor motions; of one that failed the peak up to there.
-
-    What is told by name is of the solver of one block alone.
-    """
     time_s, columns = motion
+    scales = [amplitude(columns[floor_motions.GROUND], direction, g) for g in pga_g]
     floors = yielding.of_case(case, time_s, columns)
     if isinstance(floors, yielding.YieldingFloors):
         moved = [(floors.at(scale), [1.0]) for scale in scales]
@@ -150,22 +139,13 @@ def _histories(case, motion, scales, nodes, **how):
     for own, factors in moved:
         if one_block(case):
             moving, wall = motion_of(time_s, own, case["model"]), wall_of(case, nodes)
-            found = simulate_batch(wall, moving, factors, stop_d_over_b=1.0, **how)
+            found = simulate_batch(wall, moving, factors, tolerance=tolerance, stop_d_over_b=1.0)
             words = [{"finished": "ok"}.get(word, word) for word in found.status]
             rows.append((np.minimum(found.peak_d_over_b, 1.0), words, found.end_time_s))
         else:
             found = stack_of(case, nodes, time_s, own).peaks(factors)
             rows.append((found.d_over_b, list(found.status), found.end_s))
     d_over_b, status, end_s = zip(*rows, strict=True)
-    return Outcomes(np.concatenate(d_over_b), sum(status, []), np.concatenate(end_s))
-
-
-def ensemble_peaks(case, motion_path, direction, pga_g, factors, *, nodes=17, dt_s=4e-4):
-    """Largest d/b by factor of an ensemble of amplitudes, 1 where the façade overturns.
-
-    `dt_s` is the step of one block; a stack takes that of its solver.
-    """
-    motion = floor_motions.read(motion_path)
-    ground = motion[1][floor_motions.GROUND]
-    scales = amplitude(ground, direction, pga_g) * np.asarray(factors, float)
-    return _histories(case, motion, scales, nodes, steps=Steps(fixed_s=dt_s)).d_over_b
+    peaks, status = np.concatenate(d_over_b), sum(status, [])
+    peaks[[word == "failed" for word in status]] = np.nan
+    return Outcomes(peaks, status, np.concatenate(end_s))

@@ -1,4 +1,4 @@
-"""Integration of one case: Dormand–Prince 5(4) with error control, or a fixed step."""
+"""Integration of one case: Dormand–Prince 5(4) with error control."""
 
 import math
 from typing import NamedTuple
@@ -32,34 +32,19 @@ _A = np.array(
 )
 _E = np.array((71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40))
 COLUMNS = 11  # of a row: time, the state before the slips, d [m], elastic energy
-
-
-class Steps(NamedTuple):
-    """Longest and shortest step under error control [s], or a fixed one where that is positive.
-
-    At the shortest step the estimate is ignored: friction and contact jumps have no smaller scale
-    worth resolving. A fixed step is one of the classical Runge–Kutta scheme, the largest: each
-    interval of the motion is divided equally. It is first-order accurate across the jumps of the
-    contact forces, otherwise fourth.
-    """
-
-    max_step_s: float = 2e-3
-    min_step_s: float = 1e-8
-    fixed_s: float = 0.0
-
-
-ADAPTED = Steps()
+# at the shortest step the estimate is ignored: friction and contact jumps have no smaller scale
+# worth resolving
+MAX_STEP_S, MIN_STEP_S = 2e-3, 1e-8
 
 
 class Control(NamedTuple):
-    """When and how finely to step, see `adaptive.simulate` and `Steps`; `stop_m` bounds |d|."""
+    """When and how finely to step, see `adaptive.simulate`; `stop_m` bounds |d|."""
 
     duration_s: float
     tolerance: float
-    max_step_s: float
-    min_step_s: float
     stop_m: float
-    fixed_s: float
+    max_step_s: float = MAX_STEP_S
+    min_step_s: float = MIN_STEP_S
 
 
 class Drive(NamedTuple):
@@ -184,43 +169,6 @@ def march(law, drive, factor, state, unit, control, segments, rows):
         if keep:
             rows, written = _row(law, state, time, u, rows, written), written + 1
     return rows, written, peak, turned, d, time, steps, rejected
-
-
-@compiled
-def fixed(law, drive, factor, state, unit, control, segments, rows):
-    """Advance with the classical Runge–Kutta scheme; parameters and returns as `march`.
-
-    First-order accurate across the jumps of the contact forces, otherwise fourth.
-    """
-    u, v = np.zeros(segments + 1), np.zeros(segments + 1)
-    parts = int(math.ceil(drive.dt_s / control.fixed_s - 1e-9))
-    h = drive.dt_s / parts
-    total = int(math.ceil(control.duration_s / h - 1e-9))
-    stages, limit = np.empty((4, state.size)), np.empty(law.eta_m.size)
-    state, keep, written, steps = state.copy(), rows.shape[0] > 0, 0, 0
-    d = top_displacement(law, state)
-    peak, turned = abs(d), state[THETA]
-    a, z = _support(drive, factor, 0, 0.0, u, v)
-    if keep:
-        rows, written = _row(law, state, 0.0, u, rows, written), 1
-    while abs(d) <= control.stop_m and steps < total:
-        k, tau = steps // parts, (steps % parts) * h
-        a, z = _support(drive, factor, k, tau, u, v)
-        rates(law, state, a, z, u, v, stages[0], limit)
-        return_map(law, state, limit)
-        for i in range(1, 4):
-            share = 1.0 if i == 3 else 0.5
-            a, z = _support(drive, factor, k, tau + share * h, u, v)
-            rates(law, state + share * h * stages[i - 1], a, z, u, v, stages[i], limit)
-        state = state + h / 6.0 * (stages[0] + 2.0 * (stages[1] + stages[2]) + stages[3])
-        steps += 1
-        d = top_displacement(law, state)
-        if abs(d) > peak:
-            peak = abs(d)
-        turned = max(turned, state[THETA])
-        if keep:
-            rows, written = _row(law, state, steps * h, u, rows, written), written + 1
-    return rows, written, peak, turned, d, steps * h, steps, 0
 
 
 def units(wall):

@@ -1,4 +1,4 @@
-"""Statistics of perturbed ensembles: bands of d/b, share of collapses, realisations needed.
+"""Statistics of perturbed ensembles: bands of d/b, share of collapses.
 
 An ensemble table has one row a realisation and intensity (columns pga_g, realisation,
 d_over_b, collapsed, status). Failed runs say nothing about the façade and are
@@ -7,8 +7,6 @@ left out; an overturned run counts as d/b = 1.
 
 import numpy as np
 import pandas as pd
-
-MOST = 201  # realisations that are tried
 
 
 def _valid(rows):
@@ -35,18 +33,3 @@ def bands(ensemble_rows, percentiles=(10.0, 90.0)):
         low, middle, high = np.percentile(group["d_over_b"], [percentiles[0], 50.0, percentiles[1]])
         out.append((pga_g, len(group), group["collapsed"].mean(), low, middle, high))
     return pd.DataFrame(out, columns=columns)
-
-
-def realisations_needed(values, tolerance, seed):
-    """Smallest odd number of realisations whose median stays within ± tolerance in 90 % of draws.
-
-    None if more than `MOST` are needed.
-    """
-    rng = np.random.default_rng(seed)
-    values = np.asarray(values, float)
-    centre = np.median(values)
-    for n in range(3, MOST + 1, 2):
-        medians = np.median(rng.choice(values, (2000, n)), axis=1)
-        if np.mean(np.abs(medians - centre) <= tolerance) >= 0.9:
-            return n
-    return None

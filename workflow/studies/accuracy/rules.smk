@@ -131,19 +131,6 @@ figure_by(
 )
 
 
-rule ensemble_realisations:
-    input:
-        ensembles=of_run(rules.ida.output.ensemble, **ACCURACY_CURVES),
-        cases=accuracy_cases,
-        motions=of_run(rules.floor_motions.output[0], record=RUNS.named("accuracy.records")),
-    output:
-        results("tables/ensemble_realisations.csv"),
-    params:
-        records=lambda w: RUNS.named("accuracy.records")(w.run),
-    script:
-        "scripts/table_ensemble_realisations.py"
-
-
 figure_by(
     "studies/accuracy/scripts/figure_chaos",
     "chaos",
@@ -173,7 +160,6 @@ rule accuracy:
             rules.speed_accuracy.output.summary,
             rules.stability.output.trials,
             rules.stability.output.limits,
-            rules.ensemble_realisations.output,
             rules.figure_speed_accuracy.output.png,
             rules.figure_chaos.output.png,
         ),

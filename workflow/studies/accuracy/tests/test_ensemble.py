@@ -3,7 +3,6 @@
 import numpy as np
 import pandas as pd
 import pytest
-from scipy import stats
 from studies.accuracy import ensemble
 from yade_process import resolved
 
@@ -117,28 +116,3 @@ def test_search_finds_the_gap_above_a_separate_range_and_leaves_failures():
     assert search.next_amplitude({0.3: "ok"}, SETTINGS, resolved()["ida"]) is None
     done = {0.3: "ok", 0.3119: "overturned", **dict.fromkeys((0.3059,), "failed")}
     assert all(g > 0.3119 for g in set(searched(lambda g: True, done)[0]) - set(done))
-
-
-def test_more_realisations_are_needed_where_the_spread_is_wide():
-    rng = np.random.default_rng(0)
-    narrow, wide = (
-        ensemble.realisations_needed(0.4 + s * rng.standard_normal(400), 0.05, 1)
-        for s in (0.01, 0.15)
-    )
-    assert narrow == 3
-    # the median of n normal values has a deviation of 1.2533 σ/√n; 90 % within 1.645 of it
-    expected = (1.645 * 1.2533 * 0.15 / 0.05) ** 2
-    assert wide == pytest.approx(expected, rel=0.4)
-
-
-def test_so_many_realisations_hold_the_median_of_draws():
-    """Of a uniform spread the median of n is distributed as Beta((n + 1)/2, (n + 1)/2)."""
-    values = (np.arange(4000) + 0.5) / 4000
-    for tolerance in (0.1, 0.2):
-        half = [(n, (n + 1) / 2) for n in range(3, 200, 2)]
-        inside = {
-            n: stats.beta.cdf(0.5 + tolerance, a, a) - stats.beta.cdf(0.5 - tolerance, a, a)
-            for n, a in half
-        }
-        expected = next(n for n, share in inside.items() if share >= 0.9)
-        assert abs(ensemble.realisations_needed(values, tolerance, 1) - expected) <= 4
