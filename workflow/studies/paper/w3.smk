@@ -65,14 +65,3 @@ figure_by(
     raw=of_run(rules.pushover_variant.output.curve, variant=DRAWN_VARIANTS),
     forces=of_run(rules.pushover_variant.output.forces, variant=DRAWN_VARIANTS),
 )
-
-
-rule figure_w3_sensitivity:
-    input:
-        table=rules.table_pushover.output[0],
-    output:
-        **figure("w3_sensitivity", "Boundary conditions", "sensitivity of W3's capacity"),
-    log:
-        logs("w3_sensitivity"),
-    script:
-        "scripts/figure_w3_sensitivity.py"
