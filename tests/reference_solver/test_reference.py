@@ -18,7 +18,7 @@ from reference_solver.contact import (
 )
 from reference_solver.integrate import COLUMNS, Control
 from reference_solver.motion import integrate_linear
-from reference_solver.wall import rule
+from reference_solver.wall import lobatto
 from rocking.mechanics import closed_forms as cf
 from sliding_block import sliding_response
 
@@ -35,7 +35,7 @@ real_record = pytest.mark.skipif(not RECORD.exists(), reason="the real record is
 @pytest.mark.parametrize("count", [2, 3, 4, 5, 9, 33])
 def test_lobatto_rule(count):
     """Exact to degree 2n − 3, and equal to the scene code's own construction."""
-    x, weight = rule("lobatto", count)
+    x, weight = lobatto(count)
     for degree in range(min(2 * count - 2, 20)):
         assert weight @ x**degree == pytest.approx(1.0 / (degree + 1), rel=1e-12)
     assert weight @ x ** (2 * count - 2) != pytest.approx(1 / (2 * count - 1), rel=1e-9) or (
@@ -116,8 +116,8 @@ def test_block_at_rest_stays_at_rest():
 
 
 def test_held_pose_agrees_with_the_elastic_base():
-    """Resultant of 2000 strips against the closed form of a no-tension elastic base."""
-    wall = facade(return_thickness_m=0.0, nodes_base=2000, quadrature="strips")
+    """Resultant of many nodes against the closed form of a no-tension elastic base."""
+    wall = facade(return_thickness_m=0.0, nodes_base=801)
     law = law_of(wall)
     for theta in (1e-4, 2e-3, 0.03):
         state = initial(wall, theta)
@@ -178,15 +178,10 @@ def test_work_balance_and_dissipation_of_a_shaken_wall():
 
 
 @pytest.mark.parametrize(
-    ("nodes", "quadrature", "expected"),
-    [
-        (3, "lobatto", (0.182, 0.076)),
-        (5, "lobatto", (0.186, 0.079)),
-        (9, "lobatto", (0.185, 0.079)),
-        (400, "strips", (0.184, 0.077)),
-    ],
+    ("nodes", "expected"),
+    [(3, (0.182, 0.076)), (5, (0.186, 0.079)), (9, (0.185, 0.079)), (129, (0.184, 0.077))],
 )
-def test_rebounds_of_the_design(nodes, quadrature, expected):
+def test_rebounds_of_the_design(nodes, expected):
     """The design's table follows with a frictionless back face and jks/jkn = 0.5.
 
     The table does not state either; with friction of 30° on the back face the
@@ -195,7 +190,6 @@ def test_rebounds_of_the_design(nodes, quadrature, expected):
     wall = sorrentino(
         nodes_base=nodes,
         nodes_up=nodes,
-        quadrature=quadrature,
         back_friction_deg=0.0,
         shear_ratio=0.5,
     )
@@ -293,9 +287,7 @@ def test_batch_agrees_with_single_histories_and_a_fixed_step():
     fixed = [stepped(wall, motion, scale, 4e-4)[1] for scale in scales]
     for i, scale in enumerate(scales):
         single = simulate(wall, motion, scale=scale)
-        assert batch.peak_theta_over_alpha[i] == pytest.approx(
-            single.theta_over_alpha.max(), rel=2e-3
-        )
+        assert batch.peak_d_over_b[i] == pytest.approx(np.abs(single.d_over_b).max(), rel=1e-12)
         assert batch.status[i] == single.status
     assert fixed == pytest.approx(batch.peak_d_over_b, rel=1e-2)
     assert batch.status[-1] == "overturned"
@@ -361,8 +353,6 @@ def test_w2_under_the_rinaldi_record():
     [
         (lambda: facade(h_m=-1.0), "h_m"),
         (lambda: facade(nodes_base=1), "nodes"),
-        (lambda: facade(quadrature="gauss"), "quadrature"),
-        (lambda: facade(segments=(3.0, 4.0)), "segments"),
         (lambda: facade(segments=0), "segments"),
         (lambda: simulate(facade()), "duration"),
         (

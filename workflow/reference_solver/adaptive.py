@@ -31,7 +31,6 @@ class AdaptiveHistory:
         |d/b| reached 1 at some time, outward or, without return walls, inward.
     status : str
         "finished", "overturned" (stopped beyond `stop_d_over_b`) or "failed".
-    steps, rejected : int
     """
 
     time_s: np.ndarray
@@ -50,8 +49,6 @@ class AdaptiveHistory:
     elastic_j: np.ndarray
     overturned: bool
     status: str
-    steps: int
-    rejected: int
 
     def rebounds(self, smallest=1e-4):
         """Successive maxima of θ/α after the first return to the upright pose.
@@ -115,7 +112,7 @@ def simulate(
 
 def _history(wall, marched, stop_d_over_b):
     """`AdaptiveHistory` of what `run` returns."""
-    rows, written, peak, _, last, _, steps, rejected = marched
+    rows, written, peak, last, _ = marched
     time, y, z, theta, vy, vz, omega, contact, given, d, elastic = rows[:written].T
     kinetic = 0.5 * wall.mass_kg * (vy**2 + vz**2) + 0.5 * wall.inertia_kg_m2 * omega**2
     return AdaptiveHistory(
@@ -135,8 +132,6 @@ def _history(wall, marched, stop_d_over_b):
         elastic_j=elastic,
         overturned=bool(peak >= wall.b_m),
         status=ended(last / wall.b_m, stop_d_over_b),
-        steps=steps,
-        rejected=rejected,
     )
 
 

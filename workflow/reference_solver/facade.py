@@ -77,7 +77,7 @@ def wall_of(case, nodes):
     )
 
 
-def stack_of(case, nodes, time_s, columns, *, bounded=True):
+def stack_of(case, nodes, time_s, columns):
     """`StackSolver` of a case with so many nodes along every edge, under floor motions.
 
     Times and columns are as `floor_motions.read` gives them. A ValueError of one line for what no
@@ -86,7 +86,7 @@ def stack_of(case, nodes, time_s, columns, *, bounded=True):
     refuse_unknown(case)
     own = dict.fromkeys(("nodes_thickness", "nodes_height", "nodes_per_block"), nodes)
     scene = build_scene({**case, "numerics": {**case["numerics"], **own}})
-    return StackSolver(scene, time_s, columns, bounded=bounded)
+    return StackSolver(scene, time_s, columns)
 
 
 def motion_of(time_s, columns, model):

@@ -9,7 +9,6 @@ from rocking.runtime.compiled import compiled
 from .contact import (
     OMEGA,
     SLIP,
-    THETA,
     VY,
     elastic_energy,
     rates,
@@ -103,17 +102,17 @@ def march(law, drive, factor, state, unit, control, segments, rows):
 
     The factor is on all accelerations, its sign on the horizontal ones alone. `unit`, shape (6,),
     are those in which the errors of y, z, θ and their rates are measured. Rows, shape (n, COLUMNS),
-    are written unless there are none. Returns rows, how many were written, largest |d| [m] and
-    outward rotation [rad], last d [m], time [s], steps, rejected.
+    are written unless there are none. Returns rows, how many were written, largest |d| [m], last d
+    [m], time [s].
     """
     u, v = np.zeros(segments + 1), np.zeros(segments + 1)
     stages, limit = np.empty((7, state.size)), np.empty(law.eta_m.size)
     state, new = state.copy(), np.empty(state.size)
-    steps = rejected = k = written = 0
+    k = written = 0
     time, h = 0.0, 1e-2 * control.max_step_s
     keep, intervals = rows.shape[0] > 0, drive.base_m_s2.size - 1
     d = top_displacement(law, state)
-    peak, turned, end = abs(d), state[THETA], control.duration_s
+    peak, end = abs(d), control.duration_s
     a, z = _support(drive, factor, 0, 0.0, u, v)
     rates(law, state, a, z, u, v, stages[0], limit)
     if keep:
@@ -142,9 +141,7 @@ def march(law, drive, factor, state, unit, control, segments, rows):
         if not size <= 1.0 and trial > control.min_step_s:
             shrink = max(0.2, 0.9 * size**-0.2) if math.isfinite(size) else 0.2
             h = max(trial * shrink, control.min_step_s)
-            rejected += 1
             continue
-        steps += 1
         growth = 1.0
         if size <= 0.0:
             growth = 5.0
@@ -165,10 +162,9 @@ def march(law, drive, factor, state, unit, control, segments, rows):
         d = top_displacement(law, state)
         if abs(d) > peak:
             peak = abs(d)
-        turned = max(turned, state[THETA])
         if keep:
             rows, written = _row(law, state, time, u, rows, written), written + 1
-    return rows, written, peak, turned, d, time, steps, rejected
+    return rows, written, peak, d, time
 
 
 def units(wall):

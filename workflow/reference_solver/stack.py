@@ -48,10 +48,8 @@ class StackHistory:
     spent_j: np.ndarray
     closure_j: np.ndarray
     peak_d_over_b: float
-    peak_s: float
     status: str
     end_s: float
-    steps: int
 
 
 @dataclass(frozen=True)
@@ -59,7 +57,6 @@ class StackPeaks:
     """Largest |d|/b by factor, (cases,); "ok", "overturned" or "failed"; time simulated."""
 
     d_over_b: np.ndarray
-    peak_s: np.ndarray
     status: list
     end_s: np.ndarray
 
@@ -111,7 +108,7 @@ class StackSolver:
         length = len(self.start[: 6 * len(self.scene.blocks)]) + COLUMNS
         rows = np.zeros((4 * int(self.driving.time_s[-1] / (every * step_s)) + 2, length))
         found = self._run(factor, step_s, until_s, stop_d_over_b, rows, every)
-        peak, peak_s, end, last, steps, written = found
+        peak, end, last, written = found
         rows = rows[:written]
         time, d, inertia, joints, supports, kinetic, raised, stored = rows[:, :COLUMNS].T
         given = inertia + supports
@@ -129,19 +126,17 @@ class StackSolver:
             spent,
             kinetic - kinetic[0] + stored - stored[0] + spent - given,
             peak / self.thickness_m,
-            peak_s,
             _ended(last / self.thickness_m, stop_d_over_b),
             end,
-            steps,
         )
 
     def peaks(self, factors, *, step_s=None, until_s=None, stop_d_over_b=1.0):
         """`StackPeaks` at some factors."""
         none, step_s = np.zeros((0, COLUMNS)), step_s or self.step_s
         found = [self._run(f, step_s, until_s, stop_d_over_b, none, 1) for f in np.ravel(factors)]
-        peak, peak_s, end, last, _, _ = np.array(found, float).T
+        peak, end, last, _ = np.array(found, float).T
         status = [_ended(d / self.thickness_m, stop_d_over_b) for d in last]
-        return StackPeaks(np.minimum(peak / self.thickness_m, stop_d_over_b), peak_s, status, end)
+        return StackPeaks(np.minimum(peak / self.thickness_m, stop_d_over_b), status, end)
 
 
 def fastest_rate(scene):

@@ -69,8 +69,8 @@ def march(p, drive, factor, state, control, rows):
     """Advance one history; the factor is on all accelerations, its sign on those along y.
 
     `control`: largest step [s], end [s], |d| at which it stops [m], steps between rows. Each
-    interval of the motion has equal steps. Returns largest |d| [m], its time, the time at the end,
-    the last d, the steps and how many rows were written.
+    interval of the motion has equal steps. Returns largest |d| [m], the time at the end, the last d
+    and how many rows were written.
     """
     step_s, end_s, stop_m, every = control
     n, count = p.mass_kg.size, state.size
@@ -81,7 +81,7 @@ def march(p, drive, factor, state, control, rows):
     ag, az = _given(drive, factor, 0, 0.0, u, w)
     derive(p, (ag, az, u, w), state, stages[0], force, turn, limit)
     d = top(p, state, turn)
-    peak, peak_s, time, steps, written = abs(d), 0.0, 0.0, 0, 0
+    peak, time, steps, written = abs(d), 0.0, 0, 0
     for k in range(drive.time_s.size - 1):
         begin = drive.time_s[k]
         dt = drive.time_s[k + 1] - begin
@@ -100,7 +100,7 @@ def march(p, drive, factor, state, control, rows):
                 _row(p, state, turn, time, d, rows[written])
                 written += 1
             if not abs(d) <= peak:
-                peak, peak_s = abs(d), time
+                peak = abs(d)
             if not abs(d) <= stop_m:
                 break
             for stage in range(1, 4):
@@ -114,4 +114,4 @@ def march(p, drive, factor, state, control, rows):
                 gain = stages[0, i] + 2.0 * (stages[1, i] + stages[2, i]) + stages[3, i]
                 state[i] += h / 6.0 * gain
             steps += 1
-    return peak, peak_s, time, d, steps, written
+    return peak, time, d, written

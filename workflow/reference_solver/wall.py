@@ -9,14 +9,8 @@ from rocking.mechanics.closed_forms import block
 from scipy.optimize import brentq
 
 
-def rule(kind, count):
-    """Points and weights on [0, 1] of the quadrature "lobatto" or "strips" (midpoints)."""
-    if kind == "strips":
-        if count < 1:
-            raise ValueError(f"nodes: expected at least 1 strip, got {count}")
-        return (np.arange(count) + 0.5) / count, np.full(count, 1.0 / count)
-    if kind != "lobatto":
-        raise ValueError(f"quadrature: expected 'lobatto' or 'strips', got '{kind}'")
+def lobatto(count):
+    """Points and weights on [0, 1] of the Gauss–Lobatto quadrature."""
     if count < 2:
         raise ValueError(f"nodes: expected at least 2 Gauss–Lobatto nodes, got {count}")
     # Golub–Welsch on the interior: the zeros of P'_{n−1} are those of the Jacobi
@@ -59,9 +53,8 @@ class Wall:
     base_friction_deg, back_friction_deg : float
     nodes_base, nodes_up : int
         Nodes across b, and up each return-wall segment.
-    segments : int or tuple of float
-        Return-wall segments: a number of equal heights, or the heights [m] from the base up.
-    quadrature : {"lobatto", "strips"}
+    segments : int
+        Return-wall segments, of equal heights.
     gap_m : float
         Clearance between back face and return walls at the start.
     gravity_m_s2 : float
@@ -90,8 +83,7 @@ class Wall:
     back_friction_deg: float = 30.0
     nodes_base: int = 9
     nodes_up: int = 9
-    segments: int | tuple = 1
-    quadrature: str = "lobatto"
+    segments: int = 1
     gap_m: float = 0.0
     gravity_m_s2: float = 9.81
     bounded: bool = True
@@ -116,19 +108,19 @@ class Wall:
         ):
             if not (math.isfinite(getattr(self, name)) and getattr(self, name) >= 0.0):
                 raise ValueError(f"{name}: expected at least 0, got {getattr(self, name)}")
-        heights = self.segment_heights_m
-        if min(heights) <= 0.0 or sum(heights) > self.h_m * (1.0 + 1e-9):
-            raise ValueError(f"segments: heights {heights} do not fit into h_m = {self.h_m} m")
+        if self.segments < 1:
+            raise ValueError(f"segments: expected at least 1, got {self.segments}")
         base_jkn = self.base_jkn_pa_m or self.e_pa / self.h_m
         back_jkn = self.back_jkn_pa_m or self.e_pa / (0.5 * self.h_m)
-        x, weight = rule(self.quadrature, self.nodes_base)
+        x, weight = lobatto(self.nodes_base)
         eta, zeta = [(x - 0.5) * self.b_m], [np.full(x.size, -0.5 * self.h_m)]
         kn, segment = [base_jkn * self.b_m * self.w_m * weight], []
         kn[0][[0, -1]] += self.base_edge_pa * self.w_m
         if self.return_thickness_m > 0.0:
-            x, weight = rule(self.quadrature, self.nodes_up)
-            bottoms = np.cumsum([0.0, *heights[:-1]])
-            for j, (bottom, height) in enumerate(zip(bottoms, heights, strict=True)):
+            x, weight = lobatto(self.nodes_up)
+            height = self.h_m / self.segments
+            bottoms = np.cumsum([0.0, *[height] * (self.segments - 1)])
+            for j, bottom in enumerate(bottoms):
                 eta.append(np.full(x.size, -0.5 * self.b_m))
                 zeta.append(bottom + x * height - 0.5 * self.h_m)
                 kn.append(back_jkn * self.return_thickness_m * height * weight)
@@ -146,18 +138,9 @@ class Wall:
             object.__setattr__(self, name, value)
 
     @property
-    def segment_heights_m(self):
-        """Heights of the return-wall segments from the base up."""
-        if isinstance(self.segments, int):
-            if self.segments < 1:
-                raise ValueError(f"segments: expected at least 1, got {self.segments}")
-            return (self.h_m / self.segments,) * self.segments
-        return tuple(self.segments)
-
-    @property
     def n_segments(self):
         """Number of return-wall segments, 0 without return walls."""
-        return len(self.segment_heights_m) if self.return_thickness_m > 0.0 else 0
+        return self.segments if self.return_thickness_m > 0.0 else 0
 
     @property
     def mass_kg(self):
