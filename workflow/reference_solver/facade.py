@@ -140,12 +140,12 @@ def answers(case, motion, direction, pga_g, *, nodes, tolerance):
         if one_block(case):
             moving, wall = motion_of(time_s, own, case["model"]), wall_of(case, nodes)
             found = simulate_batch(wall, moving, factors, tolerance=tolerance, stop_d_over_b=1.0)
-            words = [{"finished": "ok"}.get(word, word) for word in found.status]
-            rows.append((np.minimum(found.peak_d_over_b, 1.0), words, found.end_time_s))
+            status = [{"finished": "ok"}.get(word, word) for word in found.status]
+            rows.append((np.minimum(found.peak_d_over_b, 1.0), status, found.end_time_s))
         else:
             found = stack_of(case, nodes, time_s, own).peaks(factors)
             rows.append((found.d_over_b, list(found.status), found.end_s))
-    d_over_b, status, end_s = zip(*rows, strict=True)
-    peaks, status = np.concatenate(d_over_b), sum(status, [])
-    peaks[[word == "failed" for word in status]] = np.nan
-    return Outcomes(peaks, status, np.concatenate(end_s))
+    d_over_b, every, end_s = zip(*rows, strict=True)
+    told = Outcomes(np.concatenate(d_over_b), sum(every, []), np.concatenate(end_s))
+    told.d_over_b[[word == "failed" for word in told.status]] = np.nan
+    return told

@@ -7,9 +7,8 @@ ACCURACY_CURVES = {
 
 
 def accuracy_cases(wildcards):
-    """Scenes of its models, which the reference solver must know if it is the reference."""
-    if RUNS.cfg(wildcards)["accuracy"]["reference"] == "adaptive":
-        RUNS.needs_dry(wildcards.run)
+    """Scenes of its models, which the reference solver must know."""
+    RUNS.needs_dry(wildcards.run)
     return of_run(rules.facade_case.output[0], model=RUNS.key("accuracy.models"))(wildcards)
 
 

@@ -22,9 +22,8 @@ def main(job):
     histories = read_frame(job.input.histories)
     adaptive = read_frame(job.input.reference)
     histories["d_over_b_compiled"] = histories["d_over_b"]
-    if settings["reference"] == "adaptive":
-        exact = adaptive.set_index("case")["d_over_b"]
-        histories["d_over_b"] = histories["case"].map(exact).fillna(histories["d_over_b"])
+    exact = adaptive.set_index("case")["d_over_b"]
+    histories["d_over_b"] = histories["case"].map(exact).fillna(histories["d_over_b"])
     runs = pd.concat([*(read_frame(path) for path in job.input.runs), adaptive], ignore_index=True)
     defaults = {model: chosen_pair(scene) for model, scene in scenes.items()}
     table = errors(runs, histories, defaults)
