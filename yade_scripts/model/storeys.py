@@ -1,14 +1,30 @@
 """Storeys of the chain that yield: their strengths, their law, and the floors at an amplitude.
 
 A storey's shear force is V = k u − r with u its drift, and r what the yielding takes off the
-elastic force, nothing until its largest drift exceeds u_y = V_y/k. The laws are those of
-`smdof.storeys`, written apart: here one history marches number by number, so that YADE's own Python
-needs no compiler, and the compiled solver has them for histories side by side.
+elastic force, nothing until its largest drift exceeds u_y = V_y/k. Beyond it the backbone has the
+stiffness α k; beyond a further drift its strength falls in a straight line to a share of it. What a
+storey does between peaks is its law:
+
+bilinear
+    Kinematic hardening: V = α k u + (1 − α) k w, the elastic part w of the drift within ±u_y.
+peak_oriented
+    Clough and Johnston (1966): unloads with k (u_y/u_m)^γ, u_m the largest drift so far to that
+    side, and loads again from where it crossed V = 0 straight to the other side's largest drift.
+origin_oriented
+    Loads and unloads along the line from the origin to the largest drift of that side: no energy
+    is spent in a repeated cycle.
+flag
+    Of a rocking pier: a share b of the bilinear law beside 1 − b of its backbone as a spring
+    without memory. It comes back to where it stood for b up to a half, and spends b times as much.
+
+Here one history marches number by number, so that YADE's own Python needs no compiler. The compiled
+solver has the laws for histories side by side, written apart.
 
 A chain that yields is M ü + C u̇ + K u = −M 1 a_g + Bᵀ r with B u the drifts. Its modes move exactly
 under loads that are straight within a step, and over a step r goes on as it did over the last one
-(exponential Adams–Bashforth of second order). So a chain that has not yielded is the elastic one,
-and one that rests beside where it stood rests: its accelerations integrate to where it is.
+(exponential Adams–Bashforth of second order; Cox and Matthews, 2002, J. Comput. Phys. 176, eq. 13).
+So a chain that has not yielded is the elastic one, and one that rests beside where it stood rests:
+its accelerations integrate to where it is.
 """
 
 import math

@@ -16,9 +16,8 @@ from itertools import product
 
 import numpy as np
 import pandas as pd
+from loops import Response
 from predict import STEP_S, TABLE, motions_of
-
-from smdof.storeys import Response, Storeys
 
 MASS_KG = np.array([4480.0, 4400.0])  # squat, slender
 FLOOR_N_M = 24e6 * 0.024 * 4.12 / 3.94
@@ -43,8 +42,7 @@ def drifts_mm(ground, law, cases, floor_n_m):
     period, ratio = cases[:, :2], cases[:, 2:]
     k = MASS_KG * (2.0 * np.pi / period) ** 2
     strength = ratio * MASS_KG * 9.80665
-    storeys = Storeys(law, tuple(strength.ravel().tolist()))
-    loops = Response(storeys, k.ravel(), len(ground))
+    loops = Response(law, strength.ravel(), k.ravel(), len(ground))
     shape = (len(ground), len(cases), 2)
     place, speed, peak = np.zeros(shape), np.zeros(shape), np.zeros(shape)
     for a in ground.T:

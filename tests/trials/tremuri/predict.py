@@ -3,8 +3,8 @@
     .venv/bin/python tests/trials/tremuri/predict.py [--wall slender] [--swap]
 
 Period, strength V/W and law are chosen on half of the stations, every other one in the order of the
-table, and judged on the other half; `--swap` turns the halves. The storey is `smdof`'s law in the
-compiled march, with 5 % of critical damping on the initial stiffness and 2 % hardening.
+table, and judged on the other half; `--swap` turns the halves. The storey is that of the compiled
+march, with 5 % of critical damping on the initial stiffness and 2 % hardening.
 """
 
 import argparse
