@@ -9,6 +9,7 @@ import scipy
 from .oscillator import checked_motion, oscillator_response, refine_linear
 
 POINTS_PER_PERIOD = 100  # a peak between two samples is missed by at most 1 − cos(π/100) = 0.05 %
+SEGMENT_S = 10.0  # of Welch's method
 
 
 @dataclass(frozen=True)
@@ -21,8 +22,6 @@ class ResponseSpectrum:
     damping_ratio : float
     sd_m : ndarray
         Peak displacement relative to the ground.
-    sv_m_s : ndarray
-        Peak relative velocity (not the pseudo-velocity).
     psa_m_s2 : ndarray
         Pseudo-acceleration ω²·Sd.
     sa_m_s2 : ndarray
@@ -32,7 +31,6 @@ class ResponseSpectrum:
     period_s: np.ndarray
     damping_ratio: float
     sd_m: np.ndarray
-    sv_m_s: np.ndarray
     psa_m_s2: np.ndarray
     sa_m_s2: np.ndarray
 
@@ -66,10 +64,10 @@ def response_spectrum(ground_m_s2, dt_s, periods_s, damping_ratio=0.05):
     periods = np.atleast_1d(np.asarray(periods_s, float))
     if periods.ndim != 1 or not np.all(np.isfinite(periods)) or np.any(periods < 0.0):
         raise ValueError("periods_s: expected one row of periods of at least 0 s")
-    peaks = np.zeros((4, periods.size))
+    peaks = np.zeros((3, periods.size))
     for i, period in enumerate(periods):
         if period == 0.0:
-            peaks[2:, i] = np.max(np.abs(ground))
+            peaks[1:, i] = np.max(np.abs(ground))
             continue
         refine = max(1, math.ceil(dt_s * POINTS_PER_PERIOD / period - 1e-9))
         step = dt_s / refine
@@ -82,7 +80,7 @@ def response_spectrum(ground_m_s2, dt_s, periods_s, damping_ratio=0.05):
         q, v = np.append(q, q_free), np.append(v, v_free)
         absolute = 2.0 * damping_ratio * omega * v + omega**2 * q
         sd = np.max(np.abs(q))
-        peaks[:, i] = sd, np.max(np.abs(v)), omega**2 * sd, np.max(np.abs(absolute))
+        peaks[:, i] = sd, omega**2 * sd, np.max(np.abs(absolute))
     return ResponseSpectrum(periods, damping_ratio, *peaks)
 
 
@@ -101,11 +99,12 @@ class PowerSpectrum:
     power_m2_s3: np.ndarray
 
 
-def power_spectrum(acceleration_m_s2, dt_s, method="welch", segment_s=10.0):
+def power_spectrum(acceleration_m_s2, dt_s, method="welch"):
     """One-sided power spectral density of an acceleration.
 
     "welch": Hann-windowed segments with half overlap, mean removed, averaged
-    (Welch, 1967); segments of 10 s resolve 0.1 Hz, enough for building periods.
+    (Welch, 1967); segments of 10 s resolve 0.1 Hz, enough for building periods, and a
+    shorter record is one segment.
     "periodogram": the whole record, rectangular window, mean kept, so that the
     sum over frequencies is the mean square exactly (Parseval).
 
@@ -114,8 +113,6 @@ def power_spectrum(acceleration_m_s2, dt_s, method="welch", segment_s=10.0):
     acceleration_m_s2 : array_like, shape (nt,)
     dt_s : float
     method : {"welch", "periodogram"}
-    segment_s : float
-        Welch's segment; a shorter record is one segment.
 
     Returns
     -------
@@ -124,15 +121,15 @@ def power_spectrum(acceleration_m_s2, dt_s, method="welch", segment_s=10.0):
     Raises
     ------
     ValueError
-        If the motion is unusable, the method unknown or the segment shorter than 2 samples.
+        If the motion is unusable, the method unknown or a segment shorter than 2 samples.
     """
     values = checked_motion(acceleration_m_s2, dt_s)
     if method == "periodogram":
         f, p = scipy.signal.periodogram(values, fs=1.0 / dt_s, detrend=False)
     elif method == "welch":
-        samples = min(values.size, round(segment_s / dt_s))
+        samples = min(values.size, round(SEGMENT_S / dt_s))
         if samples < 2:
-            raise ValueError(f"segment_s: {segment_s} s holds fewer than 2 samples of {dt_s} s")
+            raise ValueError(f"dt_s: {SEGMENT_S:g} s hold fewer than 2 samples of {dt_s} s")
         f, p = scipy.signal.welch(values, fs=1.0 / dt_s, window="hann", nperseg=samples)
     else:
         raise ValueError(f"method: expected 'welch' or 'periodogram', got '{method}'")

@@ -3,15 +3,15 @@
 The simplified model of masonry palaces of the Italian guidelines for heritage (Linee Guida 2011,
 DPCM 9 February 2011, §5.4.2, eq. 5.12 to 5.15): of every storey i in one direction
 
-    V_i = μ ξ ζ A_i τ_i / β,   τ_i = (1.5 τ0/b) √(1 + σ_i/(1.5 τ0)),   V/W = min V_i / (κ_i W)
+    V_i = ξ ζ A_i τ_i,   τ_i = (1.5 τ0/b) √(1 + σ_i/(1.5 τ0)),   V/W = min V_i / (κ_i W)
 
 with A_i the area of the walls that resist in the direction (piers, at mid-height of the storey),
 σ_i the mean compression there, κ_i the share of the base shear that the storey carries, Σ_{j ≥ i}
 W_j z_j / Σ_j W_j z_j. τ_i is Turnšek and Čačovič's diagonal cracking (1971), whose tensile strength
 is 1.5 τ0: Circolare 7/2019, C8.7.1.16, with b the height of a pier over its length, 1 to 1.5; the
-guidelines take 1.5. μ is the homogeneity of the piers, ξ is 1 where they fail in shear and 0.8 in
-flexure, ζ is 1 with strong spandrels and 0.8 with weak ones, and β ≥ 1 the irregularity of the
-plan.
+guidelines take 1.5. ξ is 1 where the piers fail in shear and 0.8 in flexure, and ζ is 1 with strong
+spandrels and 0.8 with weak ones. The guidelines multiply V_i by μ, the homogeneity of the piers,
+and divide it by β ≥ 1, the irregularity of the plan. Both are 1 here: like piers, a regular plan.
 
 How it was read: C8.7.1.16 with b in Sulla et al. (2023, Procedia Structural Integrity 44), table
 C8.5.I in two public transcriptions, both at second hand. The guidelines' μ, ξ, ζ, β and κ could not
@@ -28,6 +28,7 @@ from rocking.configuration.files import read_yaml
 from yade_scripts.model.building.plan import plan_from_dict
 
 GRAVITY_M_S2 = 9.80665
+DENSITY_KG_M3 = 1800.0  # of the masonry
 # τ0 [MPa] of the Circolare 7/2019, table C8.5.I, lowest and highest (at second hand)
 MASONRY = {
     "irregular stone": (0.018, 0.032),
@@ -65,9 +66,7 @@ class Storey:
     compression_pa: float
 
 
-def base_shear_ratio(
-    storeys, tau0_pa, *, homogeneity=1.0, piers=1.0, spandrels=1.0, plan=1.0, shape=SLENDER
-):
+def base_shear_ratio(storeys, tau0_pa, *, piers=1.0, spandrels=1.0, shape=SLENDER):
     """Base-shear coefficient V/W of a building in one direction, and the storey that decides.
 
     Parameters
@@ -76,8 +75,8 @@ def base_shear_ratio(
         From the lowest up.
     tau0_pa : float
         Shear strength without compression.
-    homogeneity, piers, spandrels, plan : float
-        μ, ξ, ζ and β, see above.
+    piers, spandrels : float
+        ξ and ζ, see above.
     shape : float
         b, height of the piers over their length, `SQUAT` to `SLENDER`.
 
@@ -93,9 +92,8 @@ def base_shear_ratio(
     """
     if not SQUAT <= shape <= SLENDER:
         raise ValueError(f"shape = {shape}: expected b from {SQUAT:g} to {SLENDER:g}")
-    for name, value in (("tau0_pa", tau0_pa), ("plan", plan)):
-        if not value > 0.0:
-            raise ValueError(f"{name} = {value}: expected a number above 0")
+    if not tau0_pa > 0.0:
+        raise ValueError(f"tau0_pa = {tau0_pa}: expected a number above 0")
     for number, one in enumerate(storeys, 1):
         if not (one.area_m2 > 0.0 and one.weight_n > 0.0 and one.compression_pa >= 0.0):
             raise ValueError(f"storey {number}: expected an area and a weight above 0, got {one}")
@@ -103,7 +101,7 @@ def base_shear_ratio(
     moment = weight * np.array([one.height_m for one in storeys])
     above = np.cumsum(moment[::-1])[::-1] / moment.sum()
     strength = np.array([one.area_m2 * tau(one.compression_pa, tau0_pa, shape) for one in storeys])
-    found = homogeneity * piers * spandrels * strength / (plan * above * weight.sum())
+    found = piers * spandrels * strength / (above * weight.sum())
     return float(found.min()), int(found.argmin()) + 1
 
 
@@ -113,7 +111,7 @@ def tau(compression_pa, tau0_pa, shape=SLENDER):
     return tensile / shape * math.sqrt(1.0 + compression_pa / tensile)
 
 
-def with_interval(storeys, tau0_pa, **factors):
+def with_interval(storeys, tau0_pa, shape=SLENDER):
     """V/W with its ends: the low one with the lower τ0 and 0.8 for ξ and ζ, the high one with 1.
 
     Parameters
@@ -121,20 +119,20 @@ def with_interval(storeys, tau0_pa, **factors):
     storeys : sequence of Storey
     tau0_pa : tuple of 2 floats
         Lowest and highest, as `MASONRY` has them in MPa.
-    factors
-        μ, β and b of `base_shear_ratio`.
+    shape : float
+        b of `base_shear_ratio`.
 
     Returns
     -------
     middle, low, high : float
         The middle is the geometric mean of the ends.
     """
-    low, _ = base_shear_ratio(storeys, tau0_pa[0], piers=0.8, spandrels=0.8, **factors)
-    high, _ = base_shear_ratio(storeys, tau0_pa[1], **factors)
+    low, _ = base_shear_ratio(storeys, tau0_pa[0], piers=0.8, spandrels=0.8, shape=shape)
+    high, _ = base_shear_ratio(storeys, tau0_pa[1], shape=shape)
     return math.sqrt(low * high), low, high
 
 
-def storeys_of(area_share, floors, floor_pa, storey_m, density_kg_m3=1800.0, walls_share=None):
+def storeys_of(area_share, floors, floor_pa, storey_m, walls_share=None):
     """Storeys of a building that is known by a few numbers, per square metre of floor.
 
     Parameters
@@ -146,8 +144,6 @@ def storeys_of(area_share, floors, floor_pa, storey_m, density_kg_m3=1800.0, wal
         Weight of a floor, with the live load that counts.
     storey_m : float
         Height of a storey.
-    density_kg_m3 : float
-        Of the masonry.
     walls_share : float, optional
         Area of all walls, openings filled, over that of the floor, for their weight; by default
         twice that of those along.
@@ -157,7 +153,7 @@ def storeys_of(area_share, floors, floor_pa, storey_m, density_kg_m3=1800.0, wal
     list of Storey
     """
     total, found = walls_share or 2.0 * area_share, []
-    wall = density_kg_m3 * GRAVITY_M_S2 * storey_m * total
+    wall = DENSITY_KG_M3 * GRAVITY_M_S2 * storey_m * total
     for level in range(1, floors + 1):
         here = wall if level < floors else 0.5 * wall
         above = (floors - level + 1) * floor_pa + (floors - level + 0.5) * wall
@@ -165,7 +161,7 @@ def storeys_of(area_share, floors, floor_pa, storey_m, density_kg_m3=1800.0, wal
     return found
 
 
-def storeys_of_plan(plan, floor_pa, density_kg_m3=1800.0, axis="y"):
+def storeys_of_plan(plan, floor_pa, axis="y"):
     """Storeys of a plan in the direction x or y; façades count as weight, not as resistance.
 
     A plan is `yade_scripts.model.building.plan.Plan`. Piers are what openings leave of the walls
@@ -177,7 +173,7 @@ def storeys_of_plan(plan, floor_pa, density_kg_m3=1800.0, axis="y"):
     """
     levels = [floor.level_m for floor in plan.floors]
     edges, found = [0.0, *levels], []
-    gravity = density_kg_m3 * GRAVITY_M_S2
+    gravity = DENSITY_KG_M3 * GRAVITY_M_S2
     wide, deep = (max(w.length_m for w in plan.walls if w.axis == k) for k in (0, 1))
     area, along = wide * deep, "xy".index(axis)
     top = max(wall.top_m for wall in plan.walls)

@@ -168,8 +168,6 @@ def read_laws(path=LAW_FILE):
     """Read the laws of a file, by the base they were fitted on; a CalibrationError without them."""
     try:
         data = json.loads(Path(path).read_text("utf-8"))
-        if "names" in data:  # a file of version 0.2: one law, of the study's base
-            data = {bases.STUDY: data}
         laws = {base: PowerLaw(**law) for base, law in data.items()}
         for law in laws.values():
             sizes = len(law.coefficients), len(law.names)

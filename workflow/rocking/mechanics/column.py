@@ -44,28 +44,6 @@ def compliance(h_m, b_m, density_kg_m3, e_pa, gravity_m_s2=GRAVITY_M_S2):
     return density_kg_m3 * gravity_m_s2 * h_m**3 / (e_pa * b_m**2)
 
 
-def rotation_law(moment):
-    """G(m) of δ = Γ G(m): top displacement d/b of the column by its foot's moment m = M/(W b).
-
-    For Γ → 0 the part that bends is so near the foot, or so slightly bent, that the moment grows
-    as s² towards it, M/(W b) = m (s/h)². With σ = s/h, uncracked up to σ₁ = min(1, 1/(6 m)),
-
-        G = ∫ σ f dσ,   f = 12 m σ² (uncracked), 2 σ/(9 (1/2 − m σ)²) (cracked),
-
-    integrated in closed form; m is positive and below 1/2. Then λ h/b = 2 m − δ. At small m
-    G = 3 m; at large rotation m = 1/2 − 4 Γ/(9 δ): the reaction walks to the toe as 1/δ, on a
-    constant spring as δ^−1/2.
-    """
-    m = np.asarray(moment, float)
-    first = np.minimum(1.0, 1.0 / (6.0 * m))
-
-    def integral(sigma):  # of σ²/(1/2 − m σ)², by v = 1/2 − m σ
-        v = 0.5 - m * sigma
-        return (0.25 / v + np.log(v) - v) / m**3
-
-    return 3.0 * m * first**4 + 2.0 / 9.0 * (integral(1.0) - integral(first))
-
-
 def courses(count, growth=1.0):
     """Heights of the joints of so many courses below the top, over h, both ends included.
 

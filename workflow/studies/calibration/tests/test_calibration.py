@@ -166,8 +166,6 @@ def test_law_file(tmp_path):
         cal.beta_for(column, path)
     path.write_text(cal.to_json({"column": law}))
     assert cal.beta_for(column, path) == beta
-    path.write_text(json.dumps(json.loads(path.read_text())["column"]))  # as of version 0.2
-    assert cal.beta_for(config, path) == beta
     path.write_text(json.dumps({"names": []}))
     with pytest.raises(cal.CalibrationError, match="expected fitted laws"):
         cal.beta_for(config, path)
