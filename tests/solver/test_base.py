@@ -11,7 +11,8 @@ from rocking.collapse.case import FIDELITY_FILE
 from rocking.collapse.curve import collapse_curve
 from rocking.collapse.scan import COURSES_NODES, COURSES_STEP, one_block_step
 from rocking.configuration.config import ConfigError
-from rocking.fidelity import COURSES, read_fidelity
+from rocking.configuration.files import read_yaml
+from rocking.fidelity import COURSES
 from rocking.mechanics import column
 from rocking.mechanics.closed_forms import capacity_compliant_base
 from rocking.solver.plane import to_plane
@@ -248,7 +249,7 @@ def test_yade_and_the_compiled_solver(facade):
     """Peak d/b within 1 %, and YADE's energy balance closes."""
     numerics = {**NODES, "nodes_thickness": 9}
     if "courses" in facade:
-        numerics = read_fidelity(FIDELITY_FILE)[COURSES]
+        numerics = read_yaml(FIDELITY_FILE)[COURSES]
     config, scene = scene_of(facade, numerics)
     config["numerics"]["after_motion_s"] = 0.0
     t, ground = pulses(1.2)

@@ -1,7 +1,5 @@
 """Nodes and step of a run: what convergence was measured, and what follows from a tolerance."""
 
-import yaml
-
 from yade_scripts.model import registry
 
 MOST_BASE_NODES = 33  # against 65, median change of d/b 0.01 % over 24 histories of W2
@@ -38,12 +36,6 @@ def fidelity_table(table, share, fewest_nodes):
             for r in worst.sort_values("cost").itertuples()
         ]
     return out
-
-
-def read_fidelity(path):
-    """Content of config/fidelity.yaml."""
-    with open(path, encoding="utf-8") as handle:
-        return yaml.safe_load(handle)
 
 
 def choose(config, model, measured):

@@ -20,8 +20,9 @@ from reference_solver import SupportTable, simulate_batch  # noqa: E402
 from reference_solver.facade import wall_of  # noqa: E402
 from rocking.collapse.scan import Screen  # noqa: E402
 from rocking.configuration import config  # noqa: E402
+from rocking.configuration.files import read_yaml  # noqa: E402
 from rocking.configuration.study import as_in_the_study  # noqa: E402
-from rocking.fidelity import choose, read_fidelity  # noqa: E402
+from rocking.fidelity import choose  # noqa: E402
 from rocking.records import load, read_table  # noqa: E402
 
 from smdof import floor_motions, shear_chain  # noqa: E402
@@ -61,7 +62,7 @@ def main(arguments=None):
         as_in_the_study({"models": [args.model], "return_wall": mass, "facade": facade})
     )
     job |= {"model": args.model, "beta_s": job["damping"]["beta_s"]}
-    job["numerics"], _ = choose(job, args.model, read_fidelity(ROOT / "config" / "fidelity.yaml"))
+    job["numerics"], _ = choose(job, args.model, read_yaml(ROOT / "config" / "fidelity.yaml"))
     names, chain = list(read_table(SUITE)), job["smdof"]
     each = -(-args.histories // (2 * len(names)))
     pga_g = np.geomspace(args.low, args.high, each)

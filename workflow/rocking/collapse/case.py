@@ -22,7 +22,7 @@ from rocking.configuration.facade import WEAKEST, check_facade
 from rocking.configuration.files import read_yaml
 from rocking.configuration.storeys import check_storeys
 from rocking.configuration.together import NoEffectWarning, without_effect
-from rocking.fidelity import choose, read_fidelity
+from rocking.fidelity import choose
 from rocking.mechanics.beta import LAW_FILE, RangeWarning, beta_and_range, beta_for
 from rocking.shipped import found
 from yade_scripts.files import read_json
@@ -172,7 +172,7 @@ class Case:
             sections["facade"]["courses"] = 0  # such a façade is one block
         part = sections.pop("part", None) or {}
         sections["beta_s"] = beta_for(sections, law)
-        sections["numerics"], _ = choose(sections, model, read_fidelity(fidelity))
+        sections["numerics"], _ = choose(sections, model, read_yaml(fidelity))
         return cls(sections).part(**part, law=law) if part else cls(sections)
 
     def __repr__(self) -> str:

@@ -1,6 +1,7 @@
 """What the open values (null) of a run stand for, and why; written below its configuration."""
 
-from rocking.fidelity import CHOSEN, choose, read_fidelity
+from rocking.configuration.files import read_yaml
+from rocking.fidelity import CHOSEN, choose
 from rocking.mechanics.beta import beta_and_range
 from rocking.runtime import terminal
 from yade_scripts.model.facade import joint_stiffness
@@ -28,7 +29,7 @@ def chosen(resolved, fidelity_file, law_file, stated=()):
         terminal.warn([f"{resolved['run']}: {outside}"])
     about = f"law: {resolved['damping']['law']}" + (f"; {outside}" if outside else "")
     lines.append(f"  damping: beta {beta:.6g} s ({about})")
-    measured = read_fidelity(fidelity_file)
+    measured = read_yaml(fidelity_file)
     for model in resolved["models"]:
         numerics, reason = choose(resolved, model, measured)
         values = ", ".join(f"{key} {numerics[key]:g}" for key in CHOSEN if numerics[key])

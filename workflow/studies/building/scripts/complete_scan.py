@@ -3,7 +3,8 @@
 import json
 
 from rocking.collapse import search
-from rocking.fidelity import choose, read_fidelity
+from rocking.configuration.files import read_yaml
+from rocking.fidelity import choose
 from rocking.runtime.script import run
 from rocking.tables import headed, read_frame, write_json, write_table
 from studies.building.complete import plan_of, run_numerics, scene_of
@@ -16,7 +17,7 @@ from yade_scripts.model import floor_motions
 def main(job):
     config, w = json.loads(job.params.config), job.wildcards
     own = config["complete"]
-    config["numerics"], _ = choose(config, "W2", read_fidelity(job.input.fidelity))
+    config["numerics"], _ = choose(config, "W2", read_yaml(job.input.fidelity))
     layouts = [scene_of(config, job, w.complete, extra_nodes=n)[0] for n in range(NODE_CHOICES)]
     time_s, columns = floor_motions.read(job.input.motion)
     screen = ReducedScan(

@@ -2,7 +2,8 @@
 
 import json
 
-from rocking.fidelity import choose, read_fidelity
+from rocking.configuration.files import read_yaml
+from rocking.fidelity import choose
 from rocking.runtime.script import run
 from rocking.tables import write_json
 from studies.building.complete import run_numerics, scene_of
@@ -12,7 +13,7 @@ from yade_scripts.model.scene import to_json
 
 def main(job):
     config, w = json.loads(job.params.config), job.wildcards
-    config["numerics"], _ = choose(config, "W2", read_fidelity(job.input.fidelity))
+    config["numerics"], _ = choose(config, "W2", read_yaml(job.input.fidelity))
     scene, beta = scene_of(config, job, w.complete, float(w.coarsening))
     job_file = {
         "model": w.complete,

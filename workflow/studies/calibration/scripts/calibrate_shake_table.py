@@ -6,7 +6,7 @@ import os
 from rocking.configuration.config import ConfigError, resolve
 from rocking.configuration.files import read_yaml
 from rocking.configuration.study import as_in_the_study
-from rocking.fidelity import choose, read_fidelity
+from rocking.fidelity import choose
 from rocking.mechanics.beta import beta_for
 from rocking.records import load, read_table
 from rocking.runtime.script import run
@@ -20,7 +20,7 @@ def main(job):
     settings = json.loads(job.params.settings)["calibration"]
     wall = resolve(as_in_the_study(read_yaml(job.input.wall)))
     wall["facade"]["base"] = settings["base"]
-    wall["numerics"], _ = choose(wall, "W1", read_fidelity(job.input.fidelity))
+    wall["numerics"], _ = choose(wall, "W1", read_yaml(job.input.fidelity))
     names = list(read_table(job.input.table))
     tilts = settings["shake_table_tilt_deg"]
     if len(tilts) != len(names):
