@@ -3,7 +3,8 @@
 import math
 
 import pytest
-from rocking.mechanics.blocks import Held, PlainFacade, overturning
+from plain_facade import PlainFacade, overturning
+from rocking.mechanics.blocks import Held
 
 WALL = PlainFacade(6.0, 0.6, 100e3)
 STRONG = 40e3  # takes far more than half of the multiplier with it

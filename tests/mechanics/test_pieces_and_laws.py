@@ -3,8 +3,8 @@
 import json
 
 import pytest
+from plain_facade import PlainFacade, overturning, two_blocks
 from rocking.mechanics import beta
-from rocking.mechanics.blocks import PlainFacade, overturning, two_blocks
 
 
 def test_pieces_lie_between_hinge_and_top():

@@ -1,4 +1,4 @@
-"""Rigid blocks that turn: a block about its toe, two blocks between held levels, a plain façade.
+"""Rigid blocks that turn: a block about its toe, two blocks between held levels.
 
 See `mechanism` for the virtual work. Forces in N, lengths in m, on the whole width of the façade;
 y is outward, z upward.
@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from rocking.mechanics.closed_forms import GRAVITY_M_S2, _positive
+from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from rocking.mechanics.mechanism import (
     Mechanism,
     Pull,
@@ -37,32 +37,6 @@ class Held(NamedTuple):
     reach_m: float
     fades: bool = False
     slack_m: float = 0.0
-
-
-class PlainFacade(NamedTuple):
-    """A plain façade as its mechanisms see it; lengths in m, forces in N, on the whole width."""
-
-    height_m: float
-    thickness_m: float
-    weight_n: float
-    hinge_inset_m: float = 0.0  # of the hinge from the outer face, for crushing
-    roof_n: float = 0.0  # vertical load at the top, which moves with the façade
-    roof_arm_m: float = 0.0  # its distance from the inner face
-    pushing_n: float = 0.0  # weight that does not bear on it but pushes its top, Q of C8.7.1.1
-
-
-def _checked(facade):
-    f = facade
-    _positive(height_m=f.height_m, thickness_m=f.thickness_m, weight_n=f.weight_n)
-    for name, value, limit in (
-        ("hinge_inset_m", f.hinge_inset_m, 0.5 * f.thickness_m),
-        ("roof_arm_m", f.roof_arm_m, f.thickness_m),
-        ("roof_n", f.roof_n, math.inf),
-        ("pushing_n", f.pushing_n, math.inf),
-    ):
-        if not 0.0 <= value <= limit:
-            raise ValueError(f"{name}: expected a value from 0 to {limit:g}, got {value}")
-    return f
 
 
 def thrusting(rows, move, y_m):
@@ -205,41 +179,6 @@ def _part(path, which):
     return only
 
 
-def overturning(facade, pulls=(), name="overturning about the base"):
-    """Simple overturning of the whole façade about its outer edge, less the hinge's inset.
-
-    Free: α0 = (b − 2t)/h. With a roof load N at the inner distance s, and Q that pushes at the top:
-    α0 = [W(b/2 − t) + N(b − s − t)]/(W h/2 + (N + Q) h). Ties T at z_t add T z_t to the numerator.
-    Pulls are `Held`: ties, and courses of interlocked return walls (`courses`).
-    """
-    f = _checked(facade)
-    h, middle = f.height_m, 0.5 * f.thickness_m
-    masses = [(part, middle, z) for part, z in spread_weight(f.weight_n, 0.0, h)]
-    hinge = (f.thickness_m - f.hinge_inset_m, 0.0)
-    return toppling(
-        name,
-        masses,
-        hinge,
-        (hinge[0], h),
-        [(f.roof_n, f.roof_arm_m, h)],
-        pulls,
-        [(f.pushing_n, h)],
-    )
-
-
-def courses(height_m, bricks, unit_weight_n_m3):
-    """Friction of `Interlocked` walls as `Held`, from the top: F_i = μ γ t_s v h_b i a wall.
-
-    Joint i lies at h − i·h_b above the hinge and is gone when it has slipped by the overlap v
-    (upper bound of Casapulla et al., 2019). Their sum is μ γ t_s v h_b n(n − 1)/2 a wall, for n
-    courses, at (n + 1)h_b/3 above the hinge: for many courses 1.25 times `interlocking`.
-    """
-    force = bricks.return_walls * bricks.rubbing_n(unit_weight_n_m3)
-    course, overlap = bricks.course_height_m, bricks.overlap_m
-    joints = range(1, round(height_m / course))
-    return [Held(force * i, height_m - i * course, overlap) for i in joints]
-
-
 def interlocking(height_m, bricks, unit_weight_n_m3):
     """Friction of `Interlocked` walls by the Circolare's C8.7.1.2, as one `Held`.
 
@@ -253,35 +192,15 @@ def interlocking(height_m, bricks, unit_weight_n_m3):
     return Held(bricks.return_walls * force_n * unit_weight_n_m3, height_m / 3.0, overlap, True)
 
 
-def two_blocks(facade, hinge_height_m):
-    """Vertical bending: the top is held, the façade opens at a hinge at an intermediate height.
+def weakest_hinge(section):
+    """Height of the hinge with the least α0 of a plain façade whose top is held [m].
 
-    Small rotations, b₁ = b, roof load N at s from the inner face, W₁ = W h₁/h, W₂ = W h₂/h, r =
-    h₁/h₂ (rotation of the upper block per lower one):
+    It opens there and bends, see `bending`. The floors of section facade stand at its top, N in all
+    at the mean arm s from the inner face; a held load does no work against the shaking. Small
+    rotations, b₁ = b, W₁ = W h₁/h, W₂ = W h₂/h, r = h₁/h₂ (rotation of the upper block per lower
+    one):
 
         α0 = [W₁ b/2 + (W₂ + N) b + r (W₂ b/2 + N s)]/[(W₁ + W₂) h₁/2]
-
-    See `bending`; the hinge inset applies at the base and at the joint. The held roof load has no
-    horizontal displacement and does no work against the shaking.
-    """
-    f = _checked(facade)
-    h1, h = hinge_height_m, f.height_m
-    if not (0.0 < h1 < h):
-        raise ValueError(f"hinge_height_m: expected 0 to {h:g} m, got {h1:g}")
-    b, w = f.thickness_m, f.weight_n / h
-    return bending(
-        "vertical bending",
-        [(p, 0.5 * b, z) for p, z in spread_weight(w * h1, 0.0, h1)],
-        [(p, 0.5 * b, z) for p, z in spread_weight(w * (h - h1), h1, h)],
-        Edges((b - f.hinge_inset_m, 0.0), (f.hinge_inset_m, h1), (b, h)),
-        held=[(f.roof_n, f.roof_arm_m, h)],
-    )
-
-
-def weakest_hinge(section):
-    """Height of the hinge with the least α0 of `two_blocks` [m].
-
-    The floors of section facade stand at its top.
     """
     facade = replace(Facade.of(section), hinges_m=(), courses=0)
     facade.refuse("the weakest hinge")
@@ -291,8 +210,13 @@ def weakest_hinge(section):
     total = sum(loads)
     arm = sum(p * s for p, s in zip(loads, arms, strict=True)) / total if total else 0.0
     weight = facade.density_kg_m3 * GRAVITY_M_S2 * h * b * facade.width_m
-    plain = PlainFacade(h, b, weight, 0.0, total, arm)
-    hinge = minimize_scalar(
-        lambda z: two_blocks(plain, z).multiplier(), bounds=(0.02 * h, 0.98 * h), method="bounded"
-    )
+    per_metre = weight / h
+
+    def multiplier(z):
+        lower = [(p, 0.5 * b, at) for p, at in spread_weight(per_metre * z, 0.0, z)]
+        upper = [(p, 0.5 * b, at) for p, at in spread_weight(per_metre * (h - z), z, h)]
+        edges = Edges((b, 0.0), (0.0, z), (b, h))
+        return bending("vertical bending", lower, upper, edges, held=[(total, arm, h)]).multiplier()
+
+    hinge = minimize_scalar(multiplier, bounds=(0.02 * h, 0.98 * h), method="bounded")
     return float(hinge.x)

@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 import pytest
-from rocking.mechanics.blocks import PlainFacade, courses, interlocking, overturning, two_blocks
+from plain_facade import PlainFacade, courses, overturning, two_blocks
+from rocking.mechanics.blocks import interlocking
 from rocking.mechanics.closed_forms import Interlocked, block
 from scipy.optimize import brentq
 from studies.assess import checks

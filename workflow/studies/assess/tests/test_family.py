@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from rocking.mechanics.blocks import PlainFacade, overturning, two_blocks
+from plain_facade import PlainFacade, overturning, two_blocks
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from studies.assess import weakest
 from studies.assess.drawn_bodies import _corner

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 from drawn_facades import several
-from rocking.mechanics.blocks import Held, PlainFacade, overturning
+from plain_facade import PlainFacade, overturning
+from rocking.mechanics.blocks import Held
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from studies.assess.code_checks import governing
 from studies.assess.code_spectrum import CodeDemand

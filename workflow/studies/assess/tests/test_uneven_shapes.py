@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 import pytest
-from rocking.mechanics.blocks import Held, PlainFacade, overturning, weakest_hinge
+from plain_facade import PlainFacade, overturning
+from rocking.mechanics.blocks import Held, weakest_hinge
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from studies.assess import checks
 from studies.assess.demand import TableDemand
