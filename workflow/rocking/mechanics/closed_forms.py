@@ -101,28 +101,6 @@ def restitution_housner(alpha_rad):
     return 1.0 - 1.5 * np.sin(alpha_rad) ** 2
 
 
-def impact_share(edge=0.0):
-    """Share of Housner's loss that a base of dashpots takes, from 2/3 of an even one to 1.
-
-    A block comes down turning about one edge of its base and leaves turning about the other, so
-    that J = m b ω in all. Its loss 1 − e is Housner's times the mean arm of that impulse over b/2.
-    Where the base only damps and cannot pull, what closes pushes with what it closes by. While the
-    block turns about a point s·b from the far edge, the arm is
-
-        b/2 − b s²/(3 (s + 2 ε)),
-
-    and J comes evenly in s from 1 to 0. With a = 2 ε the mean is that of
-    1 − (2/3) (1/2 − a + a² ln(1 + 1/a)).
-
-    Parameters
-    ----------
-    edge : float
-        ε, the dashpot along either edge over that spread evenly.
-    """
-    a = 2.0 * edge
-    return 1.0 - (2.0 / 3.0) * (0.5 - a + (a * a * math.log1p(1.0 / a) if a > 0.0 else 0.0))
-
-
 def restitution_one_sided(alpha_rad):
     """e_1SR of one-sided rocking (eq. 3 of the study), with its sign.
 

@@ -69,16 +69,38 @@ def first_loss(changes):
     return (1.0 - e_exp(turned)[0]) / (1.5 * b**2 / (b**2 + h**2))
 
 
+def impact_share(edge=0.0):
+    """Share of Housner's loss that a base of dashpots takes, from 2/3 of an even one to 1.
+
+    A block comes down turning about one edge of its base and leaves turning about the other, so
+    that J = m b ω in all. Its loss 1 − e is Housner's times the mean arm of that impulse over b/2.
+    Where the base only damps and cannot pull, what closes pushes with what it closes by. While the
+    block turns about a point s·b from the far edge, the arm is
+
+        b/2 − b s²/(3 (s + 2 ε)),
+
+    and J comes evenly in s from 1 to 0. With a = 2 ε the mean is that of
+    1 − (2/3) (1/2 − a + a² ln(1 + 1/a)).
+
+    Parameters
+    ----------
+    edge : float
+        ε, the dashpot along either edge over that spread evenly.
+    """
+    a = 2.0 * edge
+    return 1.0 - (2.0 / 3.0) * (0.5 - a + (a * a * math.log1p(1.0 / a) if a > 0.0 else 0.0))
+
+
 def test_what_a_base_takes_at_an_impact():
     """No base takes more than its dashpots alone would, and edges take it more than the middle."""
-    assert closed_forms.impact_share() == pytest.approx(2.0 / 3.0)
-    assert closed_forms.impact_share(1e3) == pytest.approx(1.0, abs=1e-3)
+    assert impact_share() == pytest.approx(2.0 / 3.0)
+    assert impact_share(1e3) == pytest.approx(1.0, abs=1e-3)
     s = np.linspace(0.0, 1.0, 100001)[1:]
     arm = 0.5 - s**2 / (3.0 * (s + 2.0 * EDGE / SPREAD))
-    assert closed_forms.impact_share(EDGE / SPREAD) == pytest.approx(2.0 * arm.mean(), abs=1e-4)
+    assert impact_share(EDGE / SPREAD) == pytest.approx(2.0 * arm.mean(), abs=1e-4)
     even, edges = (first_loss({"facade.base": base}) for base in ("study", "column"))
-    assert 0.4 < even < closed_forms.impact_share()
-    assert even + 0.1 < edges < closed_forms.impact_share(EDGE / SPREAD)
+    assert 0.4 < even < impact_share()
+    assert even + 0.1 < edges < impact_share(EDGE / SPREAD)
 
 
 def test_another_model_of_the_same_test(tmp_path):
