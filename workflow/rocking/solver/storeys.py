@@ -63,6 +63,17 @@ def _peak_oriented(storeys, k, u_y, rows, at, u, ends):
 
 
 @inlined
+def _remember(rows, at, u, shear, ends):
+    """Put down drift, shear, largest drifts and work of a storey that has moved to a drift."""
+    work = 0.5 * (take(rows, at + SHEAR) + shear) * (u - take(rows, at + DRIFT))
+    put(rows, at + WORK, take(rows, at + WORK) + work)
+    put(rows, at + OUT, ends[0])
+    put(rows, at + INWARD, ends[1])
+    put(rows, at + DRIFT, u)
+    put(rows, at + SHEAR, shear)
+
+
+@inlined
 def less(storeys, i, rows, at, u):
     """What yielding takes off the elastic force of storey i at a drift, r = k u − V [N].
 
@@ -72,13 +83,7 @@ def less(storeys, i, rows, at, u):
     ends = max(take(rows, at + OUT), u), max(take(rows, at + INWARD), -u)
     worst = max(ends[0], ends[1])
     if not some(worst > u_y):  # every history is elastic yet: nothing is taken, nothing spent
-        shear = k * u
-        work = 0.5 * (take(rows, at + SHEAR) + shear) * (u - take(rows, at + DRIFT))
-        put(rows, at + WORK, take(rows, at + WORK) + work)
-        put(rows, at + OUT, ends[0])
-        put(rows, at + INWARD, ends[1])
-        put(rows, at + DRIFT, u)
-        put(rows, at + SHEAR, shear)
+        _remember(rows, at, u, k * u, ends)
         return like(0.0, u)
     if storeys.law == PEAK_ORIENTED:
         found = k * u - _peak_oriented(storeys, k, u_y, rows, at, u, ends)
@@ -93,13 +98,7 @@ def less(storeys, i, rows, at, u):
         slid = storeys.share * plastic + (1.0 - storeys.share) * beyond
         found = (1.0 - left) * k * u + left * soft * k * slid
     found = choose(worst <= u_y, like(0.0, u), found)
-    shear = k * u - found
-    work = 0.5 * (take(rows, at + SHEAR) + shear) * (u - take(rows, at + DRIFT))
-    put(rows, at + WORK, take(rows, at + WORK) + work)
-    put(rows, at + OUT, ends[0])
-    put(rows, at + INWARD, ends[1])
-    put(rows, at + DRIFT, u)
-    put(rows, at + SHEAR, shear)
+    _remember(rows, at, u, k * u - found, ends)
     return found
 
 
