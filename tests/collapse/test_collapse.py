@@ -131,30 +131,14 @@ def test_amplitudes_of_the_same_digits_are_one():
     assert np.array_equal(np.unique(low), [0.1286, 0.1287])
 
 
-def test_single_runs_stand_for_the_amplitudes_nearest_to_them():
-    """One threshold between two runs: the share rises linearly in ± spread about their middle."""
-    sparse = runs((0.2, 0), (0.399, 0), (0.401, 1), (0.41, 1), (0.6, 1))
-    middle = np.sqrt(0.399 * 0.401)
-    found = probability.summary(None, sparse[:3], sparse[3:], 0.01)
+def test_a_list_of_intensities_is_told_by_its_own_runs():
+    """Between two neighbours of different outcome the share rises linearly from 0 to 1."""
+    sparse = runs((0.1, 0), (0.2, 0), (0.3, 1), (0.6, 1))
+    found = probability.summary(None, sparse, (), 0.01)
     for name, share in (("p10", 0.1), ("median", 0.5), ("p90", 0.9)):
-        expected = middle * (1.0 + 0.01 * (2.0 * share - 1.0))
-        assert found[f"pga_{name}_g"] == pytest.approx(expected, rel=1e-4)
-    table = probability.single_runs(probability.outcomes(sparse), 0.01)
-    assert table["probability_yade"].iloc[[0, -1]].tolist() == [0.0, 1.0]
-    at = table.set_index("pga_g")["realisations_yade"]
-    assert (at[0.2], at[0.399], at[0.401]) == (1, 2, 2)  # 0.41 lies 2 % off
-    weights = np.array(
-        probability.brackets(table.assign(realisations=np.nan, probability=np.nan), {})
-    )
-    assert weights[:, 2].sum() == pytest.approx(1.0)
-    assert np.all(weights[:, 0] < 0.41)
-    assert np.all(weights[:, 1] > 0.39)
-
-
-def test_two_distant_runs_meet_at_the_geometric_middle():
-    """Each stands for the amplitudes nearest by ratio: 0.1 and 0.4 g part at 0.2 g."""
-    found = probability.summary(None, runs((0.1, 0)), runs((0.4, 1)), 0.01)
-    assert found["pga_median_g"] == pytest.approx(0.2, rel=2e-4)
+        assert found[f"pga_{name}_g"] == pytest.approx(0.2 + 0.1 * share)
+    assert (found["pga_safe_g"], found["pga_collapse_g"], found["pga_all_g"]) == (0.2, 0.3, 0.3)
+    assert len(agreement.compared(None, pd.DataFrame(), 0.01)) == 0
 
 
 def test_disagreement_is_beyond_the_scatter_of_both():

@@ -110,7 +110,7 @@ def test_text_from_the_command_line_resolves_like_numbers():
     typed = {
         "facade": {"height_m": 7, "gap_m": 0.001, "base_stiffness_pa_m": None},
         "numerics": {"nodes_height": 7, "retry_half_step": False},
-        "ensemble": {"enabled": True},
+        "vertical_motion": True,
         "records": ["A", "B"],
         "models": ["W1"],
         "ida": {"grid_g": [0.1, 0.2]},
@@ -124,7 +124,7 @@ def test_text_from_the_command_line_resolves_like_numbers():
     text = {
         "facade": {"height_m": "7.0", "gap_m": "1e-3", "base_stiffness_pa_m": "null"},
         "numerics": {"nodes_height": "7", "retry_half_step": "false"},
-        "ensemble": {"enabled": "on"},
+        "vertical_motion": "on",
         "records": "A, B",
         "models": "W1",
         "ida": {"grid_g": "0.1,0.2"},
@@ -365,9 +365,9 @@ def test_a_run_with_a_hazard_curve_takes_a_studys_settings_but_what_is_stated():
     assert plain["ida"]["confirm_every"] is None
     assert rated["ensemble"]["enabled"] == "off"
     assert (rated["ida"]["confirm"], rated["ida"]["confirm_every"]) == ("collapse", 8)
-    own = {"ida": {"confirm_every": 2, "level_ratio": 0.03}, "ensemble": {"enabled": "on"}}
+    own = {"ida": {"confirm_every": 2, "level_ratio": 0.03}, "ensemble": {"enabled": "auto"}}
     asked = resolve({"risk": {"hazard": "curve.csv"}, **own})
-    assert asked["ensemble"]["enabled"] == "on"
+    assert asked["ensemble"]["enabled"] == "auto"
     assert asked["ida"] == {**rated["ida"], **own["ida"]}
     assert resolve(rated) == rated
 

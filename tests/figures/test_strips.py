@@ -31,11 +31,7 @@ def test_a_strip_is_white_where_nothing_falls_and_full_where_all_does(axis):
     assert edges == pytest.approx([0.0, 0.15, 0.25, 0.35, 0.5])  # each level to its neighbours
 
 
-def test_without_a_scan_the_strip_is_of_yade_and_without_both_what_is_not_known_is_hatched(axis):
-    own = table(probability_yade=SHARE, realisations=np.nan)
-    draw_probability(axis, 0, own, ROW, 0.5)
-    assert len(axis.collections) == 1
-    axis.clear()
+def test_without_a_scan_what_is_not_known_is_hatched(axis):
     draw_probability(axis, 0, table().iloc[:0], ROW, 0.5)
     hatched, fallen = axis.collections
     assert hatched.get_hatch()

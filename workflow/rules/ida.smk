@@ -33,7 +33,6 @@ rule ida:
     output:
         curve=results("ida/{model}/{record}_{direction}.csv"),
         ensemble=results("ida/{model}/{record}_{direction}_ensemble.csv"),
-        sensitivity=results("ida/{model}/{record}_{direction}_sensitivity.csv"),
     log:
         logs("ida_{model}_{record}_{direction}"),
     benchmark:

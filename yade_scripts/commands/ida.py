@@ -13,7 +13,7 @@ import math
 from yade_scripts.commands import command, ensemble
 from yade_scripts.commands.journal import Journal
 from yade_scripts.commands.runner import Runner
-from yade_scripts.commands.search import drive, next_level, next_listed, one_by_one
+from yade_scripts.commands.search import intensities, next_level
 from yade_scripts.commands.tables import KEY, RUN_COLUMNS, to_csv
 from yade_scripts.engine import adapter
 from yade_scripts.files import read_json, write_atomic
@@ -22,18 +22,14 @@ COLUMNS = {**KEY, **RUN_COLUMNS}
 
 
 def analyse(runner, plan=None):
-    """Rows of a curve, by a plan's list of intensities or the case's own; see `next_listed`.
+    """Rows of a curve, by a plan's list of intensities or the case's own; see `intensities`.
 
     A case that holds a whole scene, such as the complete building, whose run takes a minute where a
     planar one takes a millisecond, has a plan with start_g and ranges; see `next_level`.
     """
     plan, case = plan or {}, runner.case
     rows: list[dict] = []
-
-    def following(done):
-        if "start_g" in plan:
-            return next_level(done, case["complete"], plan["start_g"], plan["ranges"])
-        return next_listed(done, case["ida"], plan.get("runs"))
+    done: dict[float, str] = {}
 
     def run(pga_g):
         row = runner.run(pga_g)
@@ -42,9 +38,15 @@ def analyse(runner, plan=None):
             outcome = f"{row['status']}, {peak}{runner.history.reason}"
             runner.say(f"run {runner.count}: {pga_g:.3f} g {outcome} ({row['wall_s']:.1f} s)")
         rows.append(row)
-        return row["status"]
+        done[pga_g] = row["status"]
 
-    drive(one_by_one(following), lambda ask: [run(pga_g) for pga_g in ask.pga_g])
+    if "start_g" in plan:
+        levels = case["complete"], plan["start_g"], plan["ranges"]
+        while (pga_g := next_level(done, *levels)) is not None:
+            run(pga_g)
+    else:
+        for pga_g in intensities(case["ida"], plan.get("runs")):
+            run(pga_g)
     runner.told()
     return rows
 
@@ -56,7 +58,7 @@ def main(arguments=None):
     parser.add_argument(
         "--ensemble",
         action="store_true",
-        help="run the ensemble too; writes …_ensemble.csv and …_sensitivity.csv beside the output",
+        help="run the ensemble too; writes …_ensemble.csv beside the output",
     )
     args = parser.parse_args(arguments)
     case, time_s, columns = command.opened(args)
@@ -77,11 +79,9 @@ def main(arguments=None):
     write_atomic(args.output, to_csv(rows, COLUMNS))
     if args.ensemble:
         runner.count = runner.reused = 0  # its realisations are told of apart
-        varied, changes = ensemble.analyse(runner, rows, plan or None)
+        varied = ensemble.analyse(runner, rows, plan)
         runner.told()
         varied.sort(key=lambda r: (r["pga_g"], r["realisation"]))
-        changes.sort(key=lambda r: r["pga_g"])
         stem = args.output.removesuffix(".csv")
         write_atomic(f"{stem}_ensemble.csv", to_csv(varied, ensemble.COLUMNS))
-        write_atomic(f"{stem}_sensitivity.csv", to_csv(changes, ensemble.SENSITIVITY_COLUMNS))
     return 0

@@ -1,22 +1,17 @@
-"""Perturbed ensembles: their realisations, and where they are needed.
+"""Realisations of perturbed ensembles, as pure functions; `ensemble` runs them.
 
-Pure functions; `ensemble` runs what they ask for. Near collapse, and with
-floor motions that differ up the height, a relative change of amplitude of one
-millionth can decide between a third of the thickness and overturning. There one
-history says little; the share of slightly perturbed runs that collapse does.
+Near collapse, and with floor motions that differ up the height, a relative change of amplitude of
+one millionth can decide between a third of the thickness and overturning. There one history says
+little; the share of slightly perturbed runs that collapse does.
 """
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 
-from yade_scripts.commands.search import collapse_bounds
-
 NODE_KEYS = ("nodes_thickness", "nodes_height", "nodes_per_block")
 STEP_SPREAD = 0.1  # realisations step at 0.9 to 1 of the stated step: never beyond the critical one
 NODE_CHOICES = 3  # realisations use the stated number of nodes, or one or two more
-NEAR_COLLAPSE = 0.5  # share of the collapse intensity from which sensitivity is measured
 
 
 @dataclass(frozen=True)
@@ -60,20 +55,3 @@ def perturbed_numerics(numerics, realisation):
     for key in (key for key in ("step_fraction", "step_s") if numerics[key] is not None):
         out[key] = numerics[key] * realisation.step_factor
     return out
-
-
-def sensitivity(value, perturbed):
-    """Change of peak d/b under a perturbation; overturned runs count as 1, failed ones NaN."""
-    return abs(min(perturbed, 1.0) - min(value, 1.0))
-
-
-def probe_intensities(curve):
-    """Intensities of a curve (status by PGA) whose sensitivity is measured [g].
-
-    From NEAR_COLLAPSE of the first collapse up to it; without a collapse, all. Within that range
-    sensitivity does not grow steadily: an intensity that repeats may lie above one that does not,
-    so none is left out.
-    """
-    first = collapse_bounds(curve)[1]
-    low, high = (0.0, math.inf) if first is None else (NEAR_COLLAPSE * first, first)
-    return sorted(g for g, s in curve.items() if s != "failed" and low <= g <= high)

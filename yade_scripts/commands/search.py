@@ -2,16 +2,14 @@
 
 A strategy is a generator: it yields what is to be run (`Ask`), is sent the status of each
 ("ok", "overturned", "failed"), and ends when it has seen enough. It knows neither façade nor
-solver. Here stand the strategies for runs that take minutes, one at a time; those that ask for
-many at once stand in `rocking.collapse.search`, which names them all.
+solver. `rocking.collapse.search` has the strategies; here stands how YADE's own curves go on, whose
+runs take minutes, one at a time.
 """
 
-import itertools
 import math
 from typing import Any, NamedTuple
 
 DIGITS = 4  # intensities are rounded to 1e-4 g so that tables and caches agree
-FINE = 0.2  # of the window of an ensemble: distance between its amplitudes where outcomes change
 STRIDE = 2  # levels from one run of a first climb to the next
 
 
@@ -40,33 +38,20 @@ def drive(strategy, run):
         answer = run(ask)
 
 
-def one_by_one(following, known=()):
-    """Strategy that asks for one intensity after the other.
-
-    `following` takes the status by PGA of what was run, first `known`, and returns the next PGA
-    [g], or None.
-    """
-    done = dict(known)
-    while (pga_g := following(done)) is not None:
-        (done[pga_g],) = yield Ask([pga_g])
-    return done
-
-
 # a list
 
 
-def next_listed(done, settings, plan=None):
-    """Return the next PGA of a list to run [g], or None when the curve is complete.
+def intensities(settings, plan=None):
+    """Return the list of intensities that are run, ascending [g].
 
-    `done` has the status of each PGA already run, `plan` what a dense scan asks for [g]; with
-    ida.mode "grid" the list of section ida counts. ValueError of one line, without either.
+    `plan` has what a dense scan asks for [g]; with ida.mode "grid" the list of section ida counts.
+    ValueError of one line, without either.
     """
     if settings["mode"] == "grid":
         plan = settings["grid_g"]
     if plan is None:
         raise ValueError("ida.mode = adaptive: expected the plan of a dense scan (--plan)")
-    left = [round(g, DIGITS) for g in plan if round(g, DIGITS) not in done]
-    return min(left, default=None)
+    return sorted({round(g, DIGITS) for g in plan})
 
 
 def climb_sequence(settings):
@@ -120,42 +105,6 @@ def next_level(done, settings, start_g, ranges=()):
         # failed runs say nothing: they neither break the row nor lengthen it
         row = {"overturned": row + 1, "ok": 0}.get(done[g], row)
         k += 1
-    return None
-
-
-# the band in which outcomes change
-
-
-def next_amplitude(outcomes, settings, ida):
-    """Next amplitude of a search for the collapse band [g], or None when the band is known.
-
-    From the lowest collapse on, gaps wider than `search_ratio` are closed up to a factor
-    `search_beyond` over the highest amplitude that stood; then neighbours of different outcome are
-    halved, the lowest first, down to FINE of the window ± amplitude_spread, and what is left of
-    that window about each change is filled as densely. Gaps in which a run failed are left.
-    """
-    valid = sorted(g for g, status in outcomes.items() if status != "failed")
-    fell = [g for g in valid if outcomes[g] == "overturned"]
-    if not fell:
-        return None
-    spread = settings["amplitude_spread"]
-    fine, step = 2.0 * spread * FINE, ida["search_ratio"]
-    highest = max([fell[0], *(g for g in valid if outcomes[g] == "ok")])
-    top = min(highest * ida["search_beyond"], ida["max_pga_g"])
-    pairs = list(itertools.pairwise(valid))
-    changes = [(a, b) for a, b in pairs if outcomes[a] != outcomes[b]]
-    low, high = 1.0 - spread, 1.0 + spread
-    centres = [math.sqrt(a * b) for a, b in changes]
-    near = [(a, b) for a, b in pairs if any(b > low * c and a < high * c for c in centres)]
-    if valid[-1] < top:
-        pairs.append((valid[-1], top))
-    above = [(a, b) for a, b in pairs if fell[0] <= a < top]
-    for gaps, width in ((above, step), (changes, fine), (near, fine)):
-        for a, b in gaps:
-            parts = max(2, math.ceil(math.log(b / a) / math.log1p(width))) if gaps is above else 2
-            middle = round(a * (b / a) ** (1.0 / parts), DIGITS)
-            if b / a > 1.0 + 1.25 * width and a < middle < b and middle not in outcomes:
-                return middle
     return None
 
 

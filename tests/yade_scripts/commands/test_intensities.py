@@ -13,15 +13,12 @@ from yade_scripts.files import write_atomic
 def test_grid_runs_its_list_and_nothing_else():
     """Grid mode visits exactly the configured intensities."""
     settings = resolved(ida={"mode": "grid", "grid_g": [0.1, 0.2, 0.4]})["ida"]
-    done = {}
-    while (g := search.next_listed(done, settings, plan=[0.3])) is not None:
-        done[g] = "ok"
-    assert list(done) == [0.1, 0.2, 0.4]
+    assert search.intensities(settings, plan=[0.3]) == [0.1, 0.2, 0.4]
 
 
 def test_without_a_scan_or_a_list_nothing_is_run():
     with pytest.raises(ValueError, match="ida.mode = adaptive: expected the plan of a dense scan"):
-        search.next_listed({}, resolved()["ida"])
+        search.intensities(resolved()["ida"])
 
 
 def test_journal_survives_a_torn_line(tmp_path):

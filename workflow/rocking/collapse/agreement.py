@@ -106,7 +106,7 @@ def compared(scan, ensemble, spread, error=0.01):
     Parameters
     ----------
     scan, ensemble : DataFrame
-        Of one curve; None or empty where there is none.
+        Of one curve; None or empty where there is none. Without a scan nothing is compared.
     spread, error : float
 
     Returns
@@ -117,21 +117,20 @@ def compared(scan, ensemble, spread, error=0.01):
     """
     from scipy.stats import fisher_exact  # slow to load, and a plan needs none
 
-    dense = pd.DataFrame(columns=["pga_g", "probability", "realisations"])
-    if scan is not None:
-        dense = from_scan(scan, spread)
-        valid = scan[scan["status"] != "failed"].sort_values("pga_g")
+    if scan is None:
+        return pd.DataFrame(columns=PROBABILITY_COLUMNS[3:])
+    dense = from_scan(scan, spread)
+    valid = scan[scan["status"] != "failed"].sort_values("pga_g")
     rows = []
     valid_realisations = ensemble[ensemble["status"] != "failed"] if len(ensemble) else ensemble
     for pga_g, group in valid_realisations.groupby("pga_g") if len(valid_realisations) else ():
         fell, own = int(group["collapsed"].sum()), len(group)
-        row = {"pga_g": pga_g, "probability_yade": fell / own, "realisations_yade": own}
-        if scan is not None:
-            (share,), (count,) = probability(valid["pga_g"], valid["collapsed"], [pga_g], spread)
-            planar = round(share * count) if count else 0
-            p = fisher_exact([[fell, own - fell], [planar, count - planar]])[1] if count else 1.0
-            row |= {"probability": share, "realisations": count, "agrees": int(p >= error)}
-        rows.append(row)
+        (share,), (count,) = probability(valid["pga_g"], valid["collapsed"], [pga_g], spread)
+        planar = round(share * count) if count else 0
+        p = fisher_exact([[fell, own - fell], [planar, count - planar]])[1] if count else 1.0
+        seen = {"probability_yade": fell / own, "realisations_yade": own}
+        row = {"pga_g": pga_g, **seen, "probability": share, "realisations": count}
+        rows.append(row | {"agrees": int(p >= error)})
     both = [dense, *([pd.DataFrame(rows)] if rows else [])]
     table = pd.concat([part for part in both if len(part)] or both)
     return table.reindex(columns=PROBABILITY_COLUMNS[3:]).sort_values("pga_g", ignore_index=True)

@@ -88,39 +88,6 @@ def _widths(pga_g):
     return 0.5 * (np.append(gap[:1], gap) + np.append(gap, gap[-1:]))
 
 
-def single_runs(runs, spread):
-    """Collapse probability of a curve of single runs, each at an amplitude of its own.
-
-    Every run stands for the amplitudes nearest to it, by their ratio; the probability is the
-    share of the interval ± spread whose nearest run collapsed, linear between the rows returned.
-
-    Parameters
-    ----------
-    runs : DataFrame
-        By ascending pga_g, with collapsed (0 or 1), see `outcomes`; at least one row.
-    spread : float
-
-    Returns
-    -------
-    DataFrame
-        pga_g, probability_yade, realisations_yade (runs within ± spread, 0 between two distant
-        ones).
-    """
-    pga_g, collapsed = runs["pga_g"].to_numpy(float), runs["collapsed"].to_numpy(float)
-    edge = np.sqrt(pga_g[1:] * pga_g[:-1])
-    turn = edge[collapsed[1:] != collapsed[:-1]]
-    at = np.unique(np.concatenate([pga_g, turn / (1.0 + spread), turn / (1.0 - spread)]))
-    ends = [pga_g[0] * (1.0 - 2.0 * spread), pga_g[-1] * (1.0 + 2.0 * spread)]
-    at = at[(at >= pga_g[0]) & (at <= pga_g[-1])]
-    edge = np.log(np.concatenate([ends[:1], edge, ends[1:]]))
-    fallen = np.concatenate(([0.0], np.cumsum(collapsed * np.diff(edge))))
-    low, high = np.log(at * (1.0 - spread)), np.log(at * (1.0 + spread))
-    share = (np.interp(high, edge, fallen) - np.interp(low, edge, fallen)) / (high - low)
-    _, realisations = probability(pga_g, collapsed, at, spread)
-    share = np.clip(share.round(9), 0.0, 1.0)
-    return pd.DataFrame({"pga_g": at, "probability_yade": share, "realisations_yade": realisations})
-
-
 def reversals(collapsed):
     """How often the outcome changes along ascending amplitudes, beyond the first collapse."""
     changes = int(np.count_nonzero(np.diff(np.asarray(collapsed, int))))
@@ -181,8 +148,6 @@ def summary(scan, curve, realisations, spread, slope=SLOPE):
     at_g = dense["pga_g"]
     share, _ = probability(at_g, dense["collapsed"], at_g, spread)
     ends = ranges(dense, spread)
-    if scan is None and len(realisations) and len(every):
-        at_g, share = single_runs(every, spread)[["pga_g", "probability_yade"]].to_numpy().T
     low, middle, high = (first_crossing(at_g, share, level) for level in LEVELS)
     above = every["pga_g"][every["pga_g"] > highest]
     safe = stood[~(stood * (1.0 + spread) >= lowest)].max()
@@ -273,7 +238,7 @@ def dense_share(table, row):
     Parameters
     ----------
     table : DataFrame
-        Rows of tables/collapse_probability.csv of the curve; those of YADE alone if not scanned.
+        Rows of tables/collapse_probability.csv of the curve; none if not scanned.
     row : mapping
         Its row of tables/ida_collapse.csv.
 
@@ -295,9 +260,8 @@ def dense_share(table, row):
 
 def _told(table):
     """Amplitudes and shares of rows that hold a probability."""
-    by = "" if table["realisations"].notna().any() else "_yade"
-    dense = table[table[f"realisations{by}"].notna()]
-    pga_g, share = dense["pga_g"].to_numpy(float), dense[f"probability{by}"].to_numpy(float)
+    dense = table[table["realisations"].notna()]
+    pga_g, share = dense["pga_g"].to_numpy(float), dense["probability"].to_numpy(float)
     first = np.flatnonzero(np.diff(pga_g, prepend=-1.0) > 0.0)  # of rows with the same digits
     return pga_g[first], np.maximum.reduceat(share, first) if first.size else share
 

@@ -73,10 +73,7 @@ def draw_probability(axis, place, table, row, top):
     colour = np.array(to_rgb(kind.colour))
     dense = table[table["realisations"].notna() & table["probability_yade"].isna()]
     own = table[table["probability_yade"].notna()]
-    pga, share = dense["pga_g"], dense["probability"]
-    if not len(dense):  # no scan: of YADE's own runs
-        pga, share = own["pga_g"], own["probability_yade"]
-    pga, share = pga.to_numpy(float), share.to_numpy(float)
+    pga, share = dense["pga_g"].to_numpy(float), dense["probability"].to_numpy(float)
     side = (place - HALF, place + HALF)
     if len(pga):
         edges = np.r_[0.0, (pga[1:] + pga[:-1]) / 2.0, max(top, pga[-1])]
@@ -87,11 +84,10 @@ def draw_probability(axis, place, table, row, top):
         axis.fill_betweenx((low, high), *side, fc="white", ec=colour, hatch="////", lw=0.0)
         axis.fill_betweenx((high, max(top, high)), *side, color=colour, lw=0.0)
     axis.plot((side[0],) * 2 + (side[1],) * 2, (top, 0.0, 0.0, top), color=kind.colour, lw=0.6)
-    if len(dense):
-        for _, run in own.iterrows():
-            face = 1.0 - run["probability_yade"] * (1.0 - colour)
-            symbol = {"mfc": face, "mec": "k", "mew": 0.6, "zorder": 4, "clip_on": False}
-            axis.plot(place, run["pga_g"], kind.marker, **symbol)
+    for _, run in own.iterrows():
+        face = 1.0 - run["probability_yade"] * (1.0 - colour)
+        symbol = {"mfc": face, "mec": "k", "mew": 0.6, "zorder": 4, "clip_on": False}
+        axis.plot(place, run["pga_g"], kind.marker, **symbol)
 
 
 def symbols(scanned=True, shares=False):

@@ -262,6 +262,5 @@ class Runs:
         """Number of YADE's runs in a curve's job where its strategy fixes it, else None."""
         if job.rule.name not in ("ida", "reduction_ida"):
             return None
-        settings = self.cfg(job.wildcards)
-        listed = settings["ida"]["mode"] == "grid" and settings["ensemble"]["enabled"] == "off"
-        return len(settings["ida"]["grid_g"]) if listed else None
+        ida = self.cfg(job.wildcards)["ida"]
+        return len(ida["grid_g"]) if ida["mode"] == "grid" else None

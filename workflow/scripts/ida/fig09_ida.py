@@ -73,7 +73,7 @@ def main(job):
                 ticks(beside.xaxis, range(len(models)), models)
                 beside.tick_params("x", labelsize=6.5, rotation=90 if len(models) > 2 else 0)
     shares = any(len(own) and own["probability_yade"].notna().any() for own in tables.values())
-    more = symbols(bool(scans), bool(scans) and shares)
+    more = symbols(bool(scans), shares)
     common_legend(figure, more=more, loc="outside upper center", ncols=3 if shape[1] == 1 else 6)
     style.save(figure, job.output, job.input.facts)
 

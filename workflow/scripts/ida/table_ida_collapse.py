@@ -17,11 +17,7 @@ def main(job):
         named = dict(zip(probability.KEY, key, strict=True))
         row = named | probability.summary(scan, curve, realisations, spread, job.params.slope)
         row |= building.told(scan, row, spread)
-        if scan is None and len(realisations):
-            table = probability.single_runs(probability.outcomes(curve, realisations), spread)
-        else:
-            table = agreement.compared(scan, realisations, spread)
-        table = building.joined(table, scan, spread)
+        table = building.joined(agreement.compared(scan, realisations, spread), scan, spread)
         table = table.assign(**named).reindex(columns=probability.PROBABILITY_COLUMNS)
         row["disagreements"] = agreement.disagreements(table)
         row["confirmed"] = agreement.confirmed(scan, curve, realisations, spread)

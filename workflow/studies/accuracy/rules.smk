@@ -12,11 +12,6 @@ def accuracy_cases(wildcards):
     return of_run(rules.facade_case.output[0], model=RUNS.key("accuracy.models"))(wildcards)
 
 
-def accuracy_scanned(run):
-    """Models of the accuracy study that have dense scans."""
-    return [m for m in RUNS.settings[run]["accuracy"]["models"] if RUNS.scanned(run, m)]
-
-
 rule stability:
     input:
         case=of_run(rules.facade_case.output[0], model="W2"),
@@ -46,7 +41,6 @@ rule accuracy_plan:
         benchmarks("accuracy_plan")
     params:
         accuracy=value_of("accuracy"),
-        ensemble=value_of("ensemble"),
         max_pga_g=value_of("ida.max_pga_g"),
         records=lambda w: RUNS.records[w.run],
     script:
@@ -136,10 +130,7 @@ figure_by(
     "Accuracy and stability",
     "perturbed ensembles",
     ensembles=of_run(rules.ida.output.ensemble, **ACCURACY_CURVES),
-    scans=of_run(
-        rules.planar_ida.output.scan,
-        **{**ACCURACY_CURVES, "model": accuracy_scanned},
-    ),
+    scans=of_run(rules.planar_ida.output.scan, **ACCURACY_CURVES),
     facts=of_run(rules.own_record.output.facts, record=RUNS.named("accuracy.records")),
     params=dict(
         percentiles=value_of("ensemble.percentiles"), spread=value_of("ensemble.amplitude_spread")

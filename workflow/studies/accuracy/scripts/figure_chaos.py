@@ -1,7 +1,7 @@
 """Perturbed ensembles: every realisation of a curve, and the share that collapses, in one panel.
 
 What stood lies at its d/b, what fell at 1. The collapse probability runs over the same unit scale:
-that of the dense scan, where there is one, and YADE's share at each level.
+that of the dense scan, and YADE's share at each level.
 """
 
 from rocking.collapse.ida import by_curve
@@ -24,8 +24,7 @@ def main(job):
     figure, axes = panels(len(tables), COLUMNS, (2.3, 2.1), around=(0.0, 0.5), sharey=True)
     figure.set_figwidth(max(LEAST_IN, figure.get_figwidth()))
     for axis, (key, table) in zip(axes.flat, tables.items(), strict=False):
-        scan = from_scan(scans[key], job.params.spread) if key in scans else None
-        draw(axis, table, scan, job.params.percentiles)
+        draw(axis, table, from_scan(scans[key], job.params.spread), job.params.percentiles)
         axis.set_title(f"{key[0]} {key[1]} {style.SIGNS[key[2]]}", fontsize=8)
     if not tables:
         axes[0, 0].set_title("every history repeats: no ensemble was needed")
@@ -42,9 +41,8 @@ def draw(axis, table, scan, percentiles):
     levels = bands(table, percentiles)
     low, high = AROUND[0] * levels["pga_g"].min(), AROUND[1] * levels["pga_g"].max()
     stood, fell = (table[table["status"] == status] for status in ("ok", "overturned"))
-    known = levels if scan is None else scan[scan["pga_g"].between(low, high)]
-    if scan is not None:
-        axis.plot(known["pga_g"], known["probability"], color="0.3", lw=1.0, label="P, dense scan")
+    known = scan[scan["pga_g"].between(low, high)]
+    axis.plot(known["pga_g"], known["probability"], color="0.3", lw=1.0, label="P, dense scan")
     axis.vlines(
         levels["pga_g"],
         levels["d_over_b_low"],

@@ -1,4 +1,4 @@
-"""Perturbed ensembles: realisations, where they are run, bands."""
+"""Perturbed ensembles: realisations and bands."""
 
 import numpy as np
 import pandas as pd
@@ -6,7 +6,7 @@ import pytest
 from studies.accuracy import ensemble
 from yade_process import resolved
 
-from yade_scripts.commands import perturb, search
+from yade_scripts.commands import perturb
 
 SETTINGS = resolved()["ensemble"]
 NUMERICS = resolved()["numerics"]
@@ -71,48 +71,3 @@ def test_perturbed_numerics_change_step_and_nodes_only():
     assert out["step_fraction"] == pytest.approx(0.95 * NUMERICS["step_fraction"])
     bricks = {**NUMERICS, "nodes_height": None}  # W3 has no nodes up a wall
     assert perturb.perturbed_numerics(bricks, realisation) == {**out, "nodes_height": None}
-
-
-def test_sensitivity_is_measured_from_half_the_collapse_intensity():
-    curve = {0.1: "ok", 0.2: "ok", 0.3: "ok", 0.35: "failed", 0.4: "overturned", 0.5: "overturned"}
-    assert perturb.probe_intensities(curve) == [0.2, 0.3, 0.4]
-
-
-def searched(falls, done, **more):
-    """Outcomes once the search for the band has ended, and how many runs it took."""
-    settings, found = {**SETTINGS, **more}, dict(done)
-    while (g := search.next_amplitude(found, settings, resolved()["ida"])) is not None:
-        assert g not in found
-        found[g] = "overturned" if falls(g) else "ok"
-    return found, len(found) - len(done)
-
-
-@pytest.mark.parametrize("threshold", [0.3602, 0.384, 0.3999])
-def test_search_closes_in_on_a_threshold(threshold):
-    """One change: its neighbours end within 0.5 %, its window within as much, in few runs."""
-    found, runs = searched(lambda g: g >= threshold, {0.2: "ok", 0.36: "ok", 0.4: "overturned"})
-    low, high = (
-        max(g for g, s in found.items() if s == "ok"),
-        min(g for g, s in found.items() if s != "ok"),
-    )
-    assert low < threshold <= high < 1.0052 * low
-    window = np.array(sorted(g for g in found if abs(g / threshold - 1.0) < 0.012))
-    assert np.diff(np.log(window)).max() < 0.0055
-    above = np.array(sorted(g for g in found if g >= high))
-    assert above[-1] > 1.2 * threshold
-    assert np.diff(np.log(above)).max() < 1.3 * resolved()["ida"]["search_ratio"]
-    assert runs < 25
-
-
-def test_search_finds_the_gap_above_a_separate_range_and_leaves_failures():
-    def falls(g):
-        return 0.30 < g < 0.33 or g > 0.36
-
-    found, _ = searched(falls, {0.28: "ok", 0.31: "overturned"})
-    outcome = [falls(g) for g in sorted(found)]
-    assert np.flatnonzero(np.diff(outcome)).size == 3
-    for edge in (0.30, 0.33, 0.36):
-        assert min(g for g in found if g >= edge) / max(g for g in found if g <= edge) < 1.0055
-    assert search.next_amplitude({0.3: "ok"}, SETTINGS, resolved()["ida"]) is None
-    done = {0.3: "ok", 0.3119: "overturned", **dict.fromkeys((0.3059,), "failed")}
-    assert all(g > 0.3119 for g in set(searched(lambda g: True, done)[0]) - set(done))
