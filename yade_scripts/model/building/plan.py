@@ -7,8 +7,6 @@ along the façade, y out of plane, z up; lengths in metres.
 
 from dataclasses import MISSING, dataclass, fields, replace
 
-from yade_scripts.model.intervals import without
-
 TOLERANCE_M = 1e-6
 
 
@@ -75,11 +73,6 @@ class PlanWall:
         """Coordinate of the centre line across the wall."""
         return self.start_m[1 - self.axis]
 
-    def inner(self, cut_m):
-        """Return the coordinates of its ends with so much taken off either [m]."""
-        low, high = sorted((self.start_m[self.axis], self.end_m[self.axis]))
-        return low + cut_m, high - cut_m
-
     def span(self, opening):
         """Return the reach of an opening along the wall, counted from `origin_m` [m]."""
         if self.start_m[self.axis] > self.end_m[self.axis]:
@@ -120,8 +113,7 @@ class Plan:
     """Walls and floors of one building.
 
     `facade_bond` is the stiffness of the joints between a façade and the walls that cross it, over
-    that of bonded masonry. `corner_m` is what the simplified building keeps of the corners: a
-    length of façade beside each crossing wall or, negative, a length cut off those walls' ends.
+    that of bonded masonry.
     """
 
     name: str
@@ -129,7 +121,6 @@ class Plan:
     floors: tuple = ()
     monitor_floor: str | None = None
     facade_bond: float = 1.0
-    corner_m: float = 0.0
 
     def wall(self, name):
         """Return the wall called `name`; PlanError lists the known ones."""
@@ -139,51 +130,14 @@ class Plan:
         raise PlanError(f"no wall '{name}'; the plan has {[w.name for w in self.walls]}")
 
     def without_facades(self):
-        """Return the simplified building: without façades, its corners as `corner_m` says."""
-        sides = [w for w in self.walls if not w.facade]
-        facades = [w for w in self.walls if w.facade]
-        if self.corner_m > 0.0:
-            sides += [_corners_of(w, sides, self.corner_m) for w in facades]
-        elif self.corner_m < 0.0:
-            crossing = [any(overlap_in_plan(s, f) for f in facades) for s in sides]
-            sides = [
-                shortened(s, *s.inner(-self.corner_m)) if crosses else s
-                for s, crosses in zip(sides, crossing, strict=True)
-            ]
-        return replace(self, walls=tuple(sides))
+        """Return the simplified building, without façades."""
+        return replace(self, walls=tuple(w for w in self.walls if not w.facade))
 
     def with_floor_load(self, load_kg_m2):
         """Return the plan with one floor load [kg/m²] on every floor."""
         return replace(
             self, floors=tuple(replace(f, load_kg_m2=float(load_kg_m2)) for f in self.floors)
         )
-
-
-def _corners_of(facade, sides, kept_m):
-    """Return a façade cut down to `kept_m` on either side of the walls that cross it."""
-    spans = sorted(
-        tuple(v - facade.origin_m for v in side.footprint()[facade.axis])
-        for side in sides
-        if side.axis != facade.axis and overlap_in_plan(side, facade)
-    )
-    starts = [0.0, *(high + kept_m for _, high in spans)]
-    ends = [*(low - kept_m for low, _ in spans), facade.length_m]
-    gaps = [(a, b) for a, b in zip(starts, ends, strict=True) if b - a > TOLERANCE_M]
-    pieces = [
-        (opening, *piece)
-        for opening in facade.openings
-        for piece in without([facade.span(opening)], gaps, TOLERANCE_M)
-    ]
-    openings = [
-        Opening(f"{o.name}, {k}", a, b - a, o.sill_m, o.height_m)
-        for k, (o, a, b) in enumerate(pieces)
-    ]
-    openings += [
-        Opening(f"removed, {k}", a, b - a, facade.base_m, facade.height_m)
-        for k, (a, b) in enumerate(gaps)
-    ]
-    start, end = sorted((facade.start_m, facade.end_m))  # openings count from the origin
-    return replace(facade, start_m=start, end_m=end, openings=tuple(openings))
 
 
 def shortened(wall, start_m, end_m):

@@ -1,4 +1,4 @@
-"""Brick models of plans: what corners, bonds and side walls do to masses and modes."""
+"""Brick models of plans: what bonds and side walls do to masses and modes."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -30,27 +30,6 @@ def settings():
 @pytest.fixture(scope="module")
 def plan():
     return read_plan(BUILDINGS / "case_study_open_facades.yaml")
-
-
-@pytest.mark.parametrize("corner", [-0.36, 0.3, 0.6])
-def test_corners_weigh_what_stands_or_is_cut_off(settings, corner):
-    """Four corners of 0.36 m by 6.48 m: 2.333 m³ a metre of façade."""
-    solid = read_plan(BUILDINGS / "case_study_no_openings.yaml")
-    bare, other = (
-        build_model(settings, replace(solid, corner_m=c), "SBDEM", 0.0, COARSE).masonry_mass_kg
-        for c in (0.0, corner)
-    )
-    assert other - bare == pytest.approx(4 * corner * 0.36 * 6.48 * 1800.0, rel=1e-9)
-
-
-def test_a_corner_keeps_the_part_of_a_window_that_lies_in_it(settings, plan):
-    """Windows start 0.44 m from the side wall: 0.74 m of façade has 0.30 m of each of 8 windows."""
-    bare, other = (
-        build_model(settings, replace(plan, corner_m=c), "SBDEM", 0.0, COARSE).masonry_mass_kg
-        for c in (0.0, 0.74)
-    )
-    volume = 4 * 0.36 * (0.74 * 6.48 - 2 * 0.30 * 1.26)
-    assert other - bare == pytest.approx(1800.0 * volume, rel=1e-9)
 
 
 def test_a_looser_bond_lengthens_every_period(settings, plan):
