@@ -7,7 +7,7 @@
 The list has `cases`, a list or by name, each with::
 
     scene      case file, or its content
-    motion     floor motions (CSV), files of them by ascending intensity, or {time_s, columns}
+    motion     floor motions (CSV), or {time_s, columns}
     second     floor motions along the façade (CSV), or none
     record, direction
     changes    sections of the case that differ, or none

@@ -15,10 +15,6 @@ OK, OVERTURNED, FAILED = "ok", "overturned", "failed"
 REST_RATIO = 0.5  # d/b
 
 
-class StepError(ValueError):
-    """The requested time step is beyond the critical one."""
-
-
 @dataclass
 class StopRules:
     """When a run ends.
@@ -64,13 +60,13 @@ class YadeHistory:
 def choose_step(scene, numerics):
     """Time step of a run, the stated one or a fraction of the critical step, and that [s].
 
-    The scene's note "critical_step_s", where it has one, spares the dense search for it. StepError
-    if the step would be beyond the critical one.
+    The scene's note "critical_step_s", where it has one, spares the dense search for it. A
+    ValueError of one line if the step would be beyond the critical one.
     """
     critical = scene.notes.get("critical_step_s") or critical_step(scene)
     step = numerics.get("step_s") or numerics["step_fraction"] * critical
     if step > critical:
-        raise StepError(
+        raise ValueError(
             f"numerics.step_s = {step:g} s is beyond the critical step {critical:.4g} s "
             "of this scene: choose a smaller one or leave step_s empty"
         )

@@ -52,6 +52,6 @@ def test_a_step_beyond_the_critical_one_is_refused():
     scene = facade.facade_scene(config, "W1", BETA_S)
     limit = critical_step(scene)
     numerics = {**config["numerics"], "step_s": 1.001 * limit}
-    with pytest.raises(simulate.StepError, match="beyond the critical step"):
+    with pytest.raises(ValueError, match="beyond the critical step"):
         simulate.choose_step(scene, numerics)
     assert simulate.choose_step(scene, {**numerics, "step_s": 0.999 * limit})[0] < limit
