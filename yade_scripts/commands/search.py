@@ -1,9 +1,8 @@
-"""Searches for collapse that YADE runs: which intensity comes next, as pure functions.
+"""How a search asks for runs, and which intensities YADE's own curves run, as pure functions.
 
 A strategy is a generator: it yields what is to be run (`Ask`), is sent the status of each
 ("ok", "overturned", "failed"), and ends when it has seen enough. It knows neither façade nor
-solver. `rocking.collapse.search` has the strategies; here stands how YADE's own curves go on, whose
-runs take minutes, one at a time.
+solver. The strategies stand in `rocking.collapse.search`.
 """
 
 import math

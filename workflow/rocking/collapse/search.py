@@ -1,7 +1,7 @@
 """Searches for collapse: which intensities a curve is asked for, whatever runs them.
 
-A search yields intensities and is sent their outcomes (`yade_scripts.commands.search`, where those
-for runs of minutes stand). Nothing here knows a façade, a motion or a solver::
+A search yields intensities and is sent their outcomes (`yade_scripts.commands.search`). Nothing
+here knows a façade, a motion or a solver::
 
     listed     stated intensities
     first      the lowest of ascending levels that falls
