@@ -29,7 +29,6 @@ rule table_assumptions:
         table=results("tables/assumptions.csv"),
         ratios=results("tables/assumptions_ratios.csv"),
         losses=results("tables/assumptions_losses.csv"),
-        probability=results("assumptions/probability.csv"),
     params:
         spread=value_of("ensemble.amplitude_spread"),
         reference=value_of("assumptions.reference"),
@@ -37,28 +36,6 @@ rule table_assumptions:
         benchmarks=results("benchmarks"),
     script:
         "scripts/table_assumptions.py"
-
-
-figure_by(
-    "studies/assumptions/scripts/figure_assumptions",
-    "assumptions",
-    "Assumptions",
-    "collapse probability, models side by side",
-    probability=rules.table_assumptions.output.probability,
-    facts=of_run(rules.record.output.facts),
-    params=dict(facade=RUNS.params_of("facade")),
-)
-
-
-figure_by(
-    "studies/assumptions/scripts/figure_assumptions_ratios",
-    "assumptions_ratios",
-    "Assumptions",
-    "each model over the reference",
-    table=rules.table_assumptions.output.table,
-    facts=of_run(rules.record.output.facts),
-    params=dict(reference=value_of("assumptions.reference")),
-)
 
 
 rule assumptions_map:
@@ -158,8 +135,6 @@ rule assumptions:
             rules.table_assumptions.output.table,
             rules.table_assumptions.output.ratios,
             rules.table_assumptions.output.losses,
-            rules.figure_assumptions.output.png,
-            rules.figure_assumptions_ratios.output.png,
             where(
                 RUNS.key("assumptions.mass_ratios"),
                 rules.table_assumptions_map.output,

@@ -161,13 +161,13 @@ def mean_intensity(pga_g, share):
 
 
 def measured(runs, spread, planar, slope=SLOPE):
-    """Collapse intensities of one curve that was run, with pga_mean_g, and its `from_scan`.
+    """Collapse intensities of one curve that was run, with pga_mean_g.
 
     `runs` are those of the planar solver's scan, or of YADE alone.
     """
     found = probability.summary(runs if planar else None, runs, (), spread, slope)
     dense = probability.from_scan(runs, spread)
-    return found | {"pga_mean_g": mean_intensity(dense["pga_g"], dense["probability"])}, dense
+    return found | {"pga_mean_g": mean_intensity(dense["pga_g"], dense["probability"])}
 
 
 def from_probabilities(table, slope=SLOPE):

@@ -27,15 +27,15 @@ def cpu_s(folder, rule, key):
 
 
 def curves(job, records):
-    """Key, method, runs, cost, intensities and probability of every curve of these records."""
+    """Key, method, runs, cost and intensities of every curve of these records."""
     p = job.params
     how, folder = {"spread": p.spread, "slope": p.hazard_slope}, p.benchmarks
     for scan in map(read_frame, job.input.scans):
-        key, (found, dense) = curve_key(scan), assumptions.measured(scan, **how, planar=True)
-        yield key, "planar", len(scan), cpu_s(folder, "planar_ida", key), found, dense
+        key, found = curve_key(scan), assumptions.measured(scan, **how, planar=True)
+        yield key, "planar", len(scan), cpu_s(folder, "planar_ida", key), found
     for curve in map(read_curve, job.input.bricks):
-        key, (found, dense) = curve_key(curve), assumptions.measured(curve, **how, planar=False)
-        yield key, "YADE", len(curve), cpu_s(folder, "ida", key), found, dense
+        key, found = curve_key(curve), assumptions.measured(curve, **how, planar=False)
+        yield key, "YADE", len(curve), cpu_s(folder, "ida", key), found
     for path in job.input.others:
         whole = read_frame(path)
         missing = {*probability.KEY, "pga_g", "probability", "realisations"} - set(whole.columns)
@@ -45,25 +45,21 @@ def curves(job, records):
         for key, table in whole[whole["record"].isin(records)].groupby(probability.KEY):
             found = assumptions.from_probabilities(table, p.hazard_slope)
             cost = cpu_s(measured, "complete_scan", key)
-            yield key, "given", found["runs"], cost, found, table
+            yield key, "given", found["runs"], cost, found
 
 
 def main(job):
     facts = [read_json(path) for path in job.input.facts]
     source = {fact["name"]: fact["source"] for fact in facts}
-    rows, parts = [], []
-    for key, method, runs, cost, found, dense in curves(job, source):
+    rows = []
+    for key, method, runs, cost, found in curves(job, source):
         named = dict(zip(probability.KEY, key, strict=True))
         own = {name: found[name] for name in SIDE}
         how = {"method": method, "runs": runs, "cpu_s": cost}
         rows.append({**named, "source": source[named["record"]], **how, **own})
-        columns = [c for c in probability.PROBABILITY_COLUMNS if c in dense or c in named]
-        parts.append(dense.assign(**named)[columns])
     table = pd.DataFrame(rows)
     beside = assumptions.compared(table, job.params.reference)
     write_table(beside[COLUMNS], job.output.table, digits="%.4f")
-    dense = pd.concat(parts).reindex(columns=probability.PROBABILITY_COLUMNS)
-    write_table(dense, job.output.probability, digits="%.4f")
     write_table(assumptions.losses(table), job.output.losses, digits="%.4f")
     whole = assumptions.pairs(table, job.params.reference)
     ratios = assumptions.spread_of(whole, RATIOS, ["model", "reference"])
