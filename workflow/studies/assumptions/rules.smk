@@ -33,7 +33,6 @@ rule table_assumptions:
         spread=value_of("ensemble.amplitude_spread"),
         reference=value_of("assumptions.reference"),
         hazard_slope=value_of("risk.hazard_slope"),
-        benchmarks=results("benchmarks"),
     script:
         "scripts/table_assumptions.py"
 

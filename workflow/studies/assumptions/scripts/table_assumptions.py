@@ -1,8 +1,5 @@
-"""Models side by side: collapse intensities, cost, ratios to the reference, and the losses."""
+"""Models side by side: collapse intensities, ratios to the reference, and the losses."""
 
-from pathlib import Path
-
-import numpy as np
 import pandas as pd
 from rocking.collapse import probability
 from rocking.collapse.ida import curve_key, read_curve
@@ -14,48 +11,38 @@ from yade_scripts.lists import listed
 
 SIDE = [f"pga_{name}_g" for name in assumptions.SIDE]
 RATIOS = [f"ratio_{name}" for name in assumptions.SIDE]
-COLUMNS = ["model", "record", "source", "direction", "method", "runs", "cpu_s", *SIDE]
+COLUMNS = ["model", "record", "source", "direction", "method", "runs", *SIDE]
 COLUMNS += ["reference", *RATIOS, "side"]
 
 
-def cpu_s(folder, rule, key):
-    """Processor time of a curve's job; blank where results came from another place."""
-    measured = Path(folder, f"{rule}_{'_'.join(key)}.tsv")
-    if not measured.is_file():
-        return np.nan
-    return pd.to_numeric(read_frame(measured, sep="\t")["cpu_time"], errors="coerce").iloc[0]
-
-
 def curves(job, records):
-    """Key, method, runs, cost and intensities of every curve of these records."""
+    """Key, method, runs and intensities of every curve of these records."""
     p = job.params
-    how, folder = {"spread": p.spread, "slope": p.hazard_slope}, p.benchmarks
+    how = {"spread": p.spread, "slope": p.hazard_slope}
     for scan in map(read_frame, job.input.scans):
         key, found = curve_key(scan), assumptions.measured(scan, **how, planar=True)
-        yield key, "planar", len(scan), cpu_s(folder, "planar_ida", key), found
+        yield key, "planar", len(scan), found
     for curve in map(read_curve, job.input.bricks):
         key, found = curve_key(curve), assumptions.measured(curve, **how, planar=False)
-        yield key, "YADE", len(curve), cpu_s(folder, "ida", key), found
+        yield key, "YADE", len(curve), found
     for path in job.input.others:
         whole = read_frame(path)
         missing = {*probability.KEY, "pga_g", "probability", "realisations"} - set(whole.columns)
         if missing:
             raise ValueError(f"{path}: missing column(s) {listed(sorted(missing))}")
-        measured = Path(path).parent.parent / "benchmarks"
         for key, table in whole[whole["record"].isin(records)].groupby(probability.KEY):
             found = assumptions.from_probabilities(table, p.hazard_slope)
-            cost = cpu_s(measured, "complete_scan", key)
-            yield key, "given", found["runs"], cost, found
+            yield key, "given", found["runs"], found
 
 
 def main(job):
     facts = [read_json(path) for path in job.input.facts]
     source = {fact["name"]: fact["source"] for fact in facts}
     rows = []
-    for key, method, runs, cost, found in curves(job, source):
+    for key, method, runs, found in curves(job, source):
         named = dict(zip(probability.KEY, key, strict=True))
         own = {name: found[name] for name in SIDE}
-        how = {"method": method, "runs": runs, "cpu_s": cost}
+        how = {"method": method, "runs": runs}
         rows.append({**named, "source": source[named["record"]], **how, **own})
     table = pd.DataFrame(rows)
     beside = assumptions.compared(table, job.params.reference)
