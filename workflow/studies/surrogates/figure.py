@@ -1,8 +1,8 @@
-"""Figures of the study `surrogates`."""
+"""Figure of the study `surrogates`."""
 
 import numpy as np
 from rocking.figures import style
-from rocking.figures.panels import common_legend, distribution, panels, plain_log, ticks
+from rocking.figures.panels import distribution, panels, ticks
 
 from yade_scripts.model.registry import MODELS
 
@@ -10,9 +10,7 @@ from .study import pairs, sides
 
 
 def _draw_title(pulses):
-    """Say which surrogates a panel has; a number below zero: of a table's parameters."""
-    if pulses < 0:
-        return "parameters of the table"
+    """Say which surrogates a panel has."""
     return "peaks alone" if pulses == 0 else f"peaks and {pulses:g} pulses"
 
 
@@ -56,40 +54,4 @@ def draw(table, summary):
         axes[1, 0].legend(loc="lower right", fontsize=7)
     records = found["record"].nunique()
     figure.suptitle(f"recorded components: {records}\nand surrogates of theirs")
-    return figure
-
-
-def draw_scatter(table):
-    """Draw collapse under draws that differ in their noise alone, and under the record."""
-    found = pairs(table)
-    found["pulses"] = found["pulses"].fillna(-1)
-    kinds, models = sorted(found["pulses"].unique()), list(dict.fromkeys(found["model"]))
-    rows = list(dict.fromkeys(zip(found["record"], found["direction"], strict=True)))
-    size, around = (2.4, 0.42 * len(rows)), (2.4, 1.0)
-    figure, axes = panels(len(kinds), len(kinds), size, around, sharex=True, sharey=True)
-    for axis, pulses in zip(axes.flat, kinds, strict=True):
-        groups = found[found["pulses"] == pulses].groupby(["record", "direction", "model"])
-        for (record, direction, model), group in groups:
-            kind, beside = MODELS[model], models.index(model) - 0.5 * (len(models) - 1)
-            place = rows.index((record, direction)) + 0.36 * beside
-            half, most = group["pga_half_g"], group["pga_max_g"]
-            look = {"color": kind.colour, "marker": kind.marker, "ls": "", "alpha": 0.6}
-            for values, face in ((half, kind.colour), (most[half.isna()], "none")):
-                label = f"{model}, draws" if face != "none" else None
-                axis.plot(values, np.full(len(values), place), mfc=face, label=label, **look)
-            recorded = group["recorded_g"].iloc[0]
-            if np.isfinite(recorded):
-                ends = place - 0.16, place + 0.16
-                axis.vlines(recorded, *ends, color="k", lw=1.8, label="recorded")
-            said = f"{np.log(half).std():.2f}"
-            axis.annotate(
-                said, (1.0, place), (2, 0), ("axes fraction", "data"), "offset points", va="center"
-            )
-        axis.set_title(_draw_title(pulses), loc="left")
-        axis.set(xscale="log", xlabel="collapse PGA [g]")
-        plain_log(axis.xaxis, (1.0, 2.0, 3.0, 5.0))
-    names = [f"{record} {style.SIGNS[direction]}" for record, direction in rows]
-    axes[0, 0].set_yticks(range(len(rows)), names)
-    axes[0, 0].invert_yaxis()
-    common_legend(figure, loc="outside upper center", ncols=3)
     return figure

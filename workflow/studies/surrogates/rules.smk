@@ -1,5 +1,4 @@
-# How far surrogates stand for recorded motions: collapse of both by the same scans; and how far
-# draws of one surrogate differ. Ask for `surrogates`.
+# How far surrogates stand for recorded motions: collapse of both by the same scans. Ask for `surrogates`.
 
 
 def has_recordings(run):
@@ -36,7 +35,6 @@ table_of(
     "surrogate_trust",
     tables=of_run(rules.surrogate_collapse.output.table),
     table="surrogates",
-    scatter="surrogate_scatter",
     summary="surrogate_trust",
 )
 figure_of(
@@ -53,18 +51,6 @@ figure_of(
     table=rules.surrogate_trust.output.table,
     summary=rules.surrogate_trust.output.summary,
 )
-figure_of(
-    "surrogates",
-    "surrogate_scatter",
-    "Records",
-    "draws of surrogates",
-    caption="PGA at which W1 and W2 collapse with a probability of one half, under draws of a"
-    " surrogate that differ in their noise alone (dots; open: never collapsed, at the largest"
-    " PGA that was run) and under the recorded motion (bar), where there is one. Right:"
-    " standard deviation of the logarithm over the draws.",
-    draw="draw_scatter",
-    table=rules.surrogate_trust.output.table,
-)
 
 
 rule surrogates:
@@ -76,14 +62,9 @@ rule surrogates:
     input:
         every_run(
             rules.surrogate_trust.output.table,
-            rules.surrogate_trust.output.scatter,
             where(
                 has_recordings,
                 rules.surrogate_trust.output.summary,
                 rules.figure_surrogate_trust.output.png,
-            ),
-            where(
-                lambda run: RUNS.settings[run]["surrogates"]["draws"] > 1,
-                rules.figure_surrogate_scatter.output.png,
             ),
         ),

@@ -5,7 +5,6 @@ its own pulses, and the collapse of both is found by the same scan. Every other 
 the half that may choose a kind of surrogate; the other half reports (`HALVES`).
 """
 
-import itertools
 import sys
 from functools import partial
 
@@ -13,7 +12,7 @@ import numpy as np
 import pandas as pd
 from rocking.collapse.case import Variant
 from rocking.collapse.motion import Motion
-from rocking.collapse.ratios import Ratios, spread
+from rocking.collapse.ratios import spread
 from rocking.collapse.varied import collapses, intensities
 from rocking.records import RecordError, load, measures
 from rocking.records.surrogate import generate
@@ -24,10 +23,6 @@ HALVES = ("choosing", "reporting")
 WHAT = ["kind", "pulses", "pulses_kept", "draw"]
 COLUMNS = ["record", "station", "model", "direction", *WHAT]
 COLUMNS += ["pga_collapse_g", "pga_half_g", "pga_max_g"]
-SCATTER = [
-    *("record", "model", "direction", "pulses", "draws", "n_censored"),
-    *("pga_p10_g", "pga_median_g", "pga_p90_g", "scatter", "recorded_g", "share_below"),
-]
 NEAR = 1.2  # ratios up to this, or down to its inverse, are near
 DISTINCT = 1.1  # directions whose collapse differs by less have no weak side
 BY = ["half", "model", "pulses"]
@@ -60,23 +55,21 @@ def surrogate(record, pulses, seed):
 
 def motions(record, settings, table, seed):
     """Yield values of `WHAT` and the motion of all that is compared; arguments as of `collapse`."""
-    draws = range(settings["draws"])
     if record.source == "surrogate":
-        for draw in draws:
-            yield ("surrogate", None, None, draw), load(record.name, table, seed=seed + draw)
+        yield ("surrogate", None, None, 0), load(record.name, table, seed=seed)
         return
     yield ("recorded", None, None, 0), record
-    for pulses, draw in itertools.product(settings["pulses"], draws):
-        made, kept = surrogate(record, pulses, seed + draw)
+    for pulses in settings["pulses"]:
+        made, kept = surrogate(record, pulses, seed)
         if made is not None:
-            yield ("surrogate", pulses, kept, draw), made
+            yield ("surrogate", pulses, kept, 0), made
 
 
 def collapse(cases, motion, directions, station, settings, table, seed):
     """Collapse of a recorded motion and of surrogates made for it, by the same scan: COLUMNS.
 
-    Of a record without a file there are surrogates alone, by its row of the records table. The seed
-    is that of the first draw's noise.
+    Of a record without a file there is its surrogate alone, by its row of the records table. The
+    seed is that of the noise.
     """
     find, rows = partial(outcome, level_ratio=settings["level_ratio"]), []
     for what, made in motions(motion.record, settings, table, seed):
@@ -157,22 +150,3 @@ def summary(table):
     parts = pd.concat([found.assign(half="all"), *halves])
     weak = [weak_side(group) for _, group in parts.groupby(BY, sort=False)]
     return pd.concat([spread(parts, BY, SPREAD), pd.DataFrame(weak, columns=SIDES)], axis=1)
-
-
-def scatter(table):
-    """How far draws of a surrogate differ, curve by curve, and where its record lies: SCATTER.
-
-    Of pga_half_g [g]: scatter is the standard deviation of its logarithm over the draws that
-    collapsed, share_below the share of draws that collapse at a lower PGA than the record; blank
-    without a record. `pulses` is blank where the parameters are a table's.
-    """
-    found = pairs(table)
-    rows = []
-    key = ["record", "model", "direction", "pulses"]
-    for names, group in found.groupby(key, sort=False, dropna=False):
-        draws, recorded = Ratios(group["pga_half_g"]), group["recorded_g"].iloc[0]
-        below = np.mean(group["pga_half_g"] < recorded) if np.isfinite(recorded) else np.nan
-        ends = draws.percentiles([10, 50, 90])
-        counts = draws.n, draws.n_censored
-        rows.append((*names, *counts, *ends, draws.scatter, recorded, below))
-    return pd.DataFrame(rows, columns=SCATTER)

@@ -1,4 +1,4 @@
-"""How far surrogates stand for their records: ratios, weak sides, scatter of draws."""
+"""How far surrogates stand for their records: ratios and weak sides."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -51,23 +51,6 @@ def test_the_figure_is_drawn_of_one_direction_too(tmp_path, directions):
     script("figure", tmp_path, output={"png": "figure.png"}, **given)
     high = plt.imread(tmp_path / "figure.png").shape[0]
     assert (high > 700) == (len(directions) == 2), high
-
-
-def test_scatter_is_that_of_the_draws_beside_the_record():
-    draws = [(0.2 * np.exp(0.3 * z), d) for d, z in enumerate(np.linspace(-2.0, 2.0, 41))]
-    own = ("R", "S", "W1", "pos")
-    rows = [(*own, "recorded", None, None, 0, 0.2 * np.exp(0.35), 0.2 * np.exp(0.35), 3.0)]
-    rows += [(*own, "surrogate", 6, 6, d, value, value, 3.0) for value, d in draws]
-    rows += [("T", "S", "W1", "pos", "surrogate", None, None, 0, 0.5, 0.5, 3.0)]
-    rows += [("T", "S", "W1", "pos", "surrogate", None, None, 1, np.nan, np.nan, 3.0)]
-    table = surrogates.scatter(pd.DataFrame(rows, columns=surrogates.COLUMNS))
-    beside, alone = table.to_dict("records")
-    assert beside["pga_median_g"] == pytest.approx(0.2)
-    assert beside["pga_p90_g"] == pytest.approx(0.2 * np.exp(0.3 * 1.6))
-    assert beside["scatter"] == pytest.approx(0.3 * np.linspace(-2.0, 2.0, 41).std(ddof=1))
-    assert beside["share_below"] == 32 / 41  # those with z < 0.35/0.3, in steps of 0.1
-    assert (alone["draws"], alone["n_censored"], alone["pga_median_g"]) == (2, 1, 0.5)
-    assert np.isnan([alone["recorded_g"], alone["share_below"]]).all()
 
 
 def test_both_components_of_a_station_are_in_one_half_and_what_never_fell_is_counted():
