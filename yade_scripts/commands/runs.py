@@ -2,12 +2,12 @@
 
     python3 yade_scripts runs --list runs.json --journal cache/runs.jsonl --output runs.csv
         [--scene cases/W2.json] [--motion smdof/1ST280_4dof.csv] [--second smdof/…]
-        [--record 1ST280] [--direction neg] [--case cell3]
+        [--record 1ST280] [--direction neg]
 
-The list has `cases`, a list or by name, each with::
+The list has `cases`, each with::
 
     scene      case file, or its content
-    motion     floor motions (CSV), or {time_s, columns}
+    motion     floor motions (CSV)
     second     floor motions along the façade (CSV), or none
     record, direction
     changes    sections of the case that differ, or none
@@ -19,8 +19,6 @@ The list has `cases`, a list or by name, each with::
 What a case leaves out, the command line says for all. `ahead` and `beside` of the list have the
 format of the columns of `about`, before those that name a run and after them.
 """
-
-import numpy as np
 
 from yade_scripts.commands import command, perturb
 from yade_scripts.commands.ensemble import run_realisations
@@ -36,25 +34,18 @@ from yade_scripts.model.motion import SIGNS, amplitude
 GIVEN = ("scene", "motion", "second", "record", "direction")
 
 
-def read_motion(given):
-    """Time and accelerations of a motion, from a file, or as lists."""
-    if isinstance(given, str):
-        return floor_motions.read(given)
-    columns = {name: np.array(values, float) for name, values in given["columns"].items()}
-    return np.array(given["time_s"], float), columns
-
-
 def motion_of(case, scene):
     """Time and accelerations that shake a case, and the shock before them; None: there is none.
 
     `scene` is the content of its case file.
     """
-    time_s, columns = read_motion(case["motion"])
+    time_s, columns = floor_motions.read(case["motion"])
     if case.get("second"):
-        time_s, columns = floor_motions.with_second(time_s, columns, *read_motion(case["second"]))
+        second = floor_motions.read(case["second"])
+        time_s, columns = floor_motions.with_second(time_s, columns, *second)
     if not (before := case.get("before")):
         return time_s, columns, None
-    first_s, first = read_motion(before["motion"])
+    first_s, first = floor_motions.read(before["motion"])
     first = yielding.of_case(scene, first_s, first)
     factor = amplitude(first["ground"], case["direction"], before["pga_g"])
     return time_s, columns, (first_s, floor_motions.scaled(first, factor), before["pause_s"])
@@ -80,27 +71,16 @@ def run_case(case, journal, say):
     return rows
 
 
-def chosen(asked, name, path):
-    """Cases of a list; one of them, if it is named."""
-    cases = asked["cases"]
-    if name is None:
-        return list(cases.values()) if isinstance(cases, dict) else cases
-    if name not in cases:
-        raise ValueError(f"{path}: no {name}; expected one of {listed(cases)}")
-    return [cases[name]]
-
-
 def main(arguments=None):
     """Parse the command line, run the list, write the table; return the exit status."""
     parser = command.parser(__doc__, "journal", list="runs (JSON)", output="table to write (CSV)")
     for word in GIVEN:
         choices = tuple(SIGNS) if word == "direction" else None
         parser.add_argument(f"--{word}", choices=choices, help="of all cases that state none")
-    parser.add_argument("--case", help="name of the one case to run")
     args = parser.parse_args(arguments)
     asked = read_json(args.list, "cases")
     given = {word: value for word in GIVEN if (value := getattr(args, word))}
-    cases = [given | case for case in chosen(asked, args.case, args.list)]
+    cases = [given | case for case in asked["cases"]]
     for case in cases:
         if missing := [word for word in (*GIVEN, "pga_g") if word not in (*case, "second")]:
             raise ValueError(f"{args.list}: a case has no {listed(missing)}")

@@ -1,10 +1,6 @@
 # Uncertainty of material and model compared with that of the motion: ask for `uncertainty`.
 
 
-wildcard_constraints:
-    cell=r"cell\d+",
-
-
 @cache
 def design(run):
     """Direction of every motion of the design, by record."""
@@ -19,11 +15,6 @@ def design(run):
 def sampled(run):
     """Records of the design."""
     return list(design(run))
-
-
-def cells(run):
-    """Names of the cells that YADE runs."""
-    return [f"cell{k}" for k in range(1, RUNS.settings[run]["uncertainty"]["confirm"] + 1)]
 
 
 def sample_settings(*more):
@@ -56,43 +47,20 @@ rule uncertainty_collapse:
         "scripts/uncertainty_collapse.py"
 
 
-rule uncertainty_cells:
+rule uncertainty_confirm:
     input:
         tables=of_run(rules.uncertainty_collapse.output[0], record=sampled),
         records=of_run(rules.own_record.output.record, record=sampled),
         cases=of_run(rules.facade_case.output[0], model=RUNS.key("uncertainty.models")),
         law=LAW_FILE,
-    output:
-        results("uncertainty/cells.json"),
-    params:
-        settings=sample_settings("confirm"),
-    script:
-        "scripts/uncertainty_cells.py"
-
-
-rule uncertainty_yade:
-    input:
-        cells=rules.uncertainty_cells.output[0],
         yade=rules.yade_check.output[0],
-        modules=command_code("runs"),
-    output:
-        results("uncertainty/yade/{cell}.csv"),
-    log:
-        logs("uncertainty_yade_{cell}"),
-    params:
-        yade=YADE,
-        journal=results("cache/uncertainty/{cell}.jsonl"),
-    shell:
-        "{params.yade} runs --list {input.cells:q} --case {wildcards.cell:q}"
-        " --journal {params.journal:q} --output {output:q} 2> {log:q}"
-
-
-rule uncertainty_confirm:
-    input:
-        cells=rules.uncertainty_cells.output[0],
-        yade=of_run(rules.uncertainty_yade.output[0], cell=cells),
+        command=command_code("runs"),
     output:
         results("tables/uncertainty_confirm.csv"),
+    log:
+        logs("uncertainty_confirm"),
+    params:
+        settings=sample_settings("confirm"),
     script:
         "scripts/uncertainty_confirm.py"
 
@@ -133,6 +101,6 @@ rule uncertainty:
             rules.uncertainty_tables.output.parts,
             rules.uncertainty_tables.output.sensitivity,
             rules.uncertainty_tables.output.fragility,
-            where(cells, rules.uncertainty_confirm.output),
+            where(RUNS.key("uncertainty.confirm"), rules.uncertainty_confirm.output),
             rules.figure_uncertainty.output.png,
         ),

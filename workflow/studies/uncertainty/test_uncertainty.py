@@ -1,21 +1,18 @@
 """Parts of the scatter, sensitivities and samples against closed forms."""
 
-import csv
-import json
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import Case
+from rocking import Case, Motion, collapse_curve
 from rocking.collapse.case import LAW_FILE
-from rocking.collapse.scan import Screen
 from rocking.configuration.config import ConfigError
 from rocking.mechanics.beta import beta_for
 from rocking.runs import Runs
 from study_cases import study_settings
-from yade_process import resolved, run_study
+from yade_process import resolved
 
 from studies.shared import fragility
 from studies.uncertainty import design, parts, sampling
@@ -221,23 +218,19 @@ def test_the_study_draws_short_records_and_refuses_what_cannot_be():
 
 
 @pytest.mark.yade
-def test_a_cell_in_yade_is_the_planar_cell(tmp_path):
+def test_a_cell_in_yade_is_the_planar_cell():
     """A façade with drawn properties under a burst: outcome, and d/b within 1 %."""
     few = dict.fromkeys(("nodes_thickness", "nodes_height"), 17)
     job = {**resolved(numerics={**few, "step_fraction": 0.1}), "model": "W1", "beta_s": 0.00276}
-    job = drawn(job, {"e_mpa": 1.3, "friction": 0.9, "thickness_m": 1.05})
+    case = Case(drawn(job, {"e_mpa": 1.3, "friction": 0.9, "thickness_m": 1.05}))
     t = np.linspace(0.0, 1.2, 121)
     ground = np.sin(np.pi * t / 1.2) ** 2 * np.sin(2.0 * np.pi * t / 0.6)
-    cell = {"record": "R", "direction": "neg", "model": "W1", "pga_g": [0.15], "scene": job}
-    cell |= {"motion": {"time_s": t.tolist(), "columns": {"ground": ground.tolist()}}}
-    (tmp_path / "cells.json").write_text(json.dumps({"cases": {"cell1": cell}}))
-    words = ["runs", "--list", "cells.json", "--journal", "j", "--output", "out.csv", "--case"]
-    done = run_study(*words, "cell1", folder=tmp_path)
-    assert done.returncode == 0, done.stderr
-    with open(tmp_path / "out.csv", newline="") as handle:
-        (row,) = csv.DictReader(handle)
-    planar = Screen(job, t, {"ground": ground}, "neg").run([0.15], scatter=False).iloc[0]
-    assert row["status"] == planar["status"] == "ok"
+    motion = Motion.sampled(ground, t[1])
+    how = {"search": "list", "settings": {"pga_g": [0.15]}}
+    planar, yade = (
+        collapse_curve(case, motion, "neg", solver=solver, **how).table.iloc[0]
+        for solver in ("planar", "yade")
+    )
+    assert yade["status"] == planar["status"] == "ok"
     assert planar["d_over_b"] > 0.02
-    assert float(row["d_over_b"]) == pytest.approx(planar["d_over_b"], rel=0.01)
-    assert "no cell9" in run_study(*words, "cell9", folder=tmp_path).stderr
+    assert yade["d_over_b"] == pytest.approx(planar["d_over_b"], rel=0.01)
