@@ -56,8 +56,6 @@ rule atlas_formula:
     output:
         formula=results("formula.json"),
         facades=results("tables/atlas_facades.csv"),
-        coefficients=results("tables/atlas_formula.csv"),
-        errors=results("tables/atlas_errors.csv"),
     params:
         settings=values_of("atlas", "facades", "seed", "ranges", "others"),
         base=value_of("facade.base"),

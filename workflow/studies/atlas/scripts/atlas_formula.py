@@ -1,14 +1,13 @@
 """The formula that is fitted to an atlas, as its file, and the façades of the design.
 
-Writes formula.json, which `rocking.estimate` and the page read, tables/atlas_facades.csv,
-tables/atlas_formula.csv (coefficients with their intervals) and tables/atlas_errors.csv.
+Writes formula.json, which `rocking.estimate` and the page read, and tables/atlas_facades.csv.
 """
 
 from rocking import Case
 from rocking.records import read_csv
 from rocking.runtime.script import run
 from rocking.tables import read_frame, write_json, write_table
-from studies.atlas import fit, report
+from studies.atlas import fit
 from studies.atlas.measures import factors
 from studies.atlas.study import described, design
 
@@ -31,8 +30,6 @@ def main(job):
     found = fit.law(table, facades, given, job.params.stations, made_of)
     write_json(job.output.formula, found)
     write_table(facades.reset_index(), job.output.facades)
-    write_table(report.coefficients(found), job.output.coefficients)
-    write_table(report.errors(found), job.output.errors)
 
 
 run(main, globals())
