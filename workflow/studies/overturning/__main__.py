@@ -27,8 +27,7 @@ def _run(given, models):
 
 
 def _score(given, models):
-    for part in score(given.folder, given.data, models):
-        _show(part)
+    _show(score(given.folder, given.data, models))
 
 
 def _solvers(given, _):

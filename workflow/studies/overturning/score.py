@@ -102,12 +102,12 @@ def joined(folder, tests, model):
 
 
 def score(folder, data, models=MODELS):
-    """Scores by model and specimen, and calibration by model; refuses what was changed.
+    """Scores by model and specimen; refuses what was changed.
 
     `data` is the folder of the tests or a table of them with outcomes. ConfigError if none of the
     outcomes is known.
     """
-    tests, rows, curves = table.tests(data), [], []
+    tests, rows = table.tests(data), []
     for model in models:
         unchanged(folder, model)
         found = joined(folder, tests, model)
@@ -116,7 +116,4 @@ def score(folder, data, models=MODELS):
         for specimen, own in found.groupby("specimen"):
             scores = measures(own["probability_of_fall"], own["y"], own["members"])
             rows.append({"model": model, "specimen": specimen, **scores})
-        curve = calibration(found["probability_of_fall"], found["y"])
-        curves.append(curve.assign(model=model))
-    columns = ["model", *[name for name in curves[0] if name != "model"]]
-    return pd.DataFrame(rows), pd.concat(curves, ignore_index=True)[columns]
+    return pd.DataFrame(rows)
