@@ -4,15 +4,19 @@
 @cache
 def roofed_models(run):
     """Models of a run with a planar counterpart; a façade that cannot have a roof ends in one line."""
-    from studies.restraint.additions import planar_models  # slow to load
+    from rocking import Case  # slow to load
     from studies.restraint.study import roof
 
-    resolved = RUNS.settings[run]
-    height, loads = resolved["facade"]["height_m"], resolved["restraint"]["loads_kn"]
+    resolved, models = RUNS.settings[run], RUNS.compiled(run)
+    if not models:
+        stop(f"restraint: models = {resolved['models']}: expected one with a planar counterpart")
+    roofed = roof(resolved["facade"]["height_m"], resolved["restraint"]["loads_kn"][0], 0.0)
     try:
-        return planar_models(resolved, [roof(height, loads[0], 0.0)])
+        for model in models:
+            Case({**resolved, "model": model}).varied(roofed)
     except configuration.ConfigError as error:
         stop(f"restraint: {error.detail}")
+    return models
 
 
 rule restrain:

@@ -4,14 +4,13 @@ import numpy as np
 import pandas as pd
 import pytest
 from both_solvers import BETA_S, FEW
+from forked import snakemake
 from rocking.collapse.case import Case
 from rocking.collapse.motion import Motion
-from rocking.configuration.config import ConfigError
 from study_cases import study_settings
 from yade_process import resolved
 
 from studies.restraint import study as restraint
-from studies.restraint.additions import planar_models
 
 G = 9.80665
 
@@ -33,11 +32,19 @@ def test_what_yade_confirms_of_a_roof():
         assert study_settings({"facade": facade})["facade"] == facade
 
 
-def test_bonded_walls_alone_are_refused():
-    """W3 has no planar counterpart among the models that the study shakes."""
-    roofed = restraint.roof(6.48, 20.0, 0.0)
-    with pytest.raises(ConfigError, match="models.*planar counterpart"):
-        planar_models(study_settings({"models": ["W3"]}), [roofed])
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ("models=[W3]", "models = ['W3']: expected one with a planar counterpart"),
+        ("restraint={loads_kn: [90000]}", "facade.height_m = 6.48: expected at most 0.95 (m)"),
+    ],
+)
+def test_what_cannot_have_a_roof_is_refused_before_any_work(tmp_path, given, said):
+    """Bonded walls alone have no planar counterpart, and a façade falls under too large a load."""
+    done = snakemake(tmp_path, "-n", "--config", given, "--", "restraint")
+    assert done.returncode != 0
+    assert f"restraint: {said}" in done.stdout + done.stderr
 
 
 @pytest.mark.slow
