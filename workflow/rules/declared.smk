@@ -63,7 +63,7 @@ def table_of(study, rule_name, tables=None, **outputs):
             str(BASE / "workflow/scripts/studies/table.py")
 
 
-def yade_runs_of(study, rule_name, plan, path, first=None):
+def yade_runs_of(study, rule_name, plan, path):
     """Rule `rule_name`: what YADE says of the runs that a study's plan lists for one curve.
 
     Parameters
@@ -74,8 +74,6 @@ def yade_runs_of(study, rule_name, plan, path, first=None):
         What the rule that finds collapse wrote: runs for YADE's command `runs`.
     path : str
         Its table; its wildcards are model, record and direction.
-    first : callable, optional
-        Input function: floor motions of a shock before.
     """
     curve = "{model}_{record}_{direction}"
 
@@ -83,7 +81,6 @@ def yade_runs_of(study, rule_name, plan, path, first=None):
         name:
             rule_name
         input:
-            **({"first": first} if first else {}),
             case=rules.facade_case.output[0],
             motion=of_run(rules.floor_motions.output[0]),
             plan=plan,

@@ -13,11 +13,11 @@ The list has `cases`, each with::
     changes    sections of the case that differ, or none
     before     {motion, pga_g, pause_s}: a shock before it, in the same direction, or none
     pga_g      intensities [g]
-    about      columns that a row begins with, or by intensity a list of them
+    about      columns that a row begins with
     realisations    true: the realisations of section ensemble at every intensity
 
-What a case leaves out, the command line says for all. `ahead` and `beside` of the list have the
-format of the columns of `about`, before those that name a run and after them.
+What a case leaves out, the command line says for all. `ahead` of the list has the format of the
+columns of `about`.
 """
 
 from yade_scripts.commands import command, perturb
@@ -60,14 +60,13 @@ def run_case(case, journal, say):
     runner = Runner(own, time_s, columns, record, direction, journal, say, before)
     rows: list[dict] = []
     about = case.get("about", {})
-    for k, pga_g in enumerate(case["pga_g"]):
+    for pga_g in case["pga_g"]:
         if case.get("realisations"):
             found = run_realisations(runner, pga_g, perturb.draw_realisations(own["ensemble"]))
         else:
             found = [runner.run(pga_g)]
             say(f"{pga_g:.4g} g {found[0]['status']}")
-        ahead = about[k] if isinstance(about, list) else about
-        rows += [{**ahead, **row} for row in found]
+        rows += [{**about, **row} for row in found]
     return rows
 
 
@@ -91,7 +90,7 @@ def main(arguments=None):
     realisations = REALISATION if any(case.get("realisations") for case in cases) else {}
     both = TWO_COMPONENTS if all(case.get("second") for case in cases) else {}
     own = asked.get("ahead", {})
-    columns = {**own, **KEY, **own, **asked.get("beside", {}), **realisations, **RUN_COLUMNS}
+    columns = {**own, **KEY, **own, **realisations, **RUN_COLUMNS}
     columns |= both
     write_atomic(args.output, to_csv(rows, columns))
     return 0

@@ -19,7 +19,6 @@ rule sequence_collapse:
         first=lambda w: of_run(rules.floor_motions.output[0])(Of(run=w.run, record=first_shock(w))),
     output:
         table=results("sequence/{model}/{record}_{direction}.csv"),
-        plan=results("sequence/{model}/{record}_{direction}.json"),
     log:
         logs("sequence_{model}_{record}_{direction}"),
     benchmark:
@@ -32,14 +31,6 @@ rule sequence_collapse:
         "../../scripts/studies/collapse.py"
 
 
-# Below and above the second's collapse, in YADE: ask for the file.
-yade_runs_of(
-    "sequence",
-    "sequence_yade",
-    plan=rules.sequence_collapse.output.plan,
-    path=results("sequence/{model}/{record}_{direction}_yade.csv"),
-    first=rules.sequence_collapse.input.first,
-)
 table_of(
     "sequence",
     "sequence_table",

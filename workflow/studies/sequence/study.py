@@ -26,9 +26,6 @@ SPREAD = {"n": "n", "n_censored": "n_censored", "median": 50, "least": 0, "most"
 SPREAD |= {"below_095": lambda found: found.share(high=0.95)}
 REALISATIONS = math.lcm(NODE_CHOICES, STEPS)  # of the first shock: every layout and step once
 OFTEN = 0.1  # share of them that falls, above which the second's would be the first's collapse
-BELOW, ABOVE = 0.9, 1.1  # of the PGA of 10 and of 50 % collapse, where YADE confirms
-AHEAD = {"first_pga_g": ".6g"}  # columns of YADE's table
-BESIDE = {"d_over_b_planar": ".6f", "status_planar": ""}
 
 
 def variants(settings, first):
@@ -86,32 +83,6 @@ def collapse(case, second, direction, first, settings):
     rows = collapses([case], second, [direction], after_first, variants(settings, first))
     table = pd.DataFrame(rows).reindex(columns=COLUMNS)
     return over_first(table)
-
-
-def to_confirm(case, second, table, first, settings):
-    """For YADE's command `runs`: undamaged, and after the strongest shock that it survived.
-
-    Each below and above the second's collapse, with the planar solver's answer.
-    """
-    stood = table[(table["fell_first"] == 0) & table["pga_median_g"].notna()]
-    chosen = stood.iloc[sorted({0, len(stood) - 1})] if len(stood) else stood
-    cases: list[dict] = []
-    for row in chosen.to_dict("records"):
-        pause_s = settings["pause_s"]
-        shock = {"first": first, "first_pga_g": row["first_pga_g"], "pause_s": pause_s}
-        levels = [BELOW * row["pga_p10_g"], ABOVE * row["pga_median_g"]]
-        shaken = second.varied(Variant(motion=shock))
-        how = {"pga_g": [round(g, 4) for g in levels]}
-        planar = collapse_curve(case, shaken, row["direction"], search="list", settings=how).table
-        about: list[dict] = [
-            {"first_pga_g": row["first_pga_g"], "d_over_b_planar": d, "status_planar": status}
-            for d, status in zip(planar["d_over_b"], planar["status"], strict=True)
-        ]
-        cases.append({"pga_g": how["pga_g"], "about": about})
-        if row["first_pga_g"]:
-            before = {"pga_g": row["first_pga_g"], "pause_s": pause_s, "motion": first.file}
-            cases[-1]["before"] = before
-    return {"ahead": AHEAD, "beside": BESIDE, "cases": cases}
 
 
 def summary(table):
