@@ -109,11 +109,7 @@ def test_a_record_of_several_runs_is_one_and_another_of_its_name_is_not(tmp_path
 NO_RECORD = {  # the building, restitution, shaking tables of others, pushover
     *("fig01_building", "fig02_modes", "fig08_w3"),
     *("fig04_calibration", "fig05_sorrentino", "fig06_shawa", "calibrate_wall"),
-    *(
-        "figure_free_rocking",
-        "figure_shake_table",
-        "figure_models",
-    ),  # name their motions themselves
+    *("figure_shake_table", "figure_models"),  # name their motions themselves
 }
 
 

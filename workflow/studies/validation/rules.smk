@@ -35,9 +35,9 @@ def held_against(run):
             kind = read(folder).specimen["kind"]
         except (configuration.ConfigError, OSError) as error:
             stop(f"validation.experiments: {error}")
-        own = f"{RESULTS}/{run}/validation/{name}/{kind}.csv"
-        made += [own, f"{RESULTS}/{run}/figures/validation_{kind}_{name}.png"]
+        made.append(f"{RESULTS}/{run}/validation/{name}/{kind}.csv")
         if kind == "shake_table":
+            made.append(f"{RESULTS}/{run}/figures/validation_shake_table_{name}.png")
             tests.append(files(folder)[-1].parent.name)
     several = sorted({test for test in tests if tests.count(test) > 1})
     return made + [f"{RESULTS}/{run}/figures/validation_models_{test}.png" for test in several]
@@ -150,17 +150,6 @@ rule validation_rocking:
         results("validation/{experiment}/free_rocking.csv"),
     script:
         "scripts/validation_rocking.py"
-
-
-figure_by(
-    "studies/validation/scripts/figure_free_rocking",
-    "validation_free_rocking_{experiment}",
-    "Held against experiments",
-    "{experiment}",
-    about="validation",
-    files=experiment_files,
-    table=rules.validation_rocking.output[0],
-)
 
 
 rule validation:
