@@ -35,7 +35,7 @@ def figure_by(source, title, category, result, about=None, params=None, **inputs
             str(folder / f"{source}.py")
 
 
-def table_of(study, rule_name, tables=None, **outputs):
+def table_of(study, rule_name, tables=None, digits="%.6g", **outputs):
     """Rule `rule_name`: curves of a study in one table, and what its module makes of them.
 
     Parameters
@@ -46,6 +46,8 @@ def table_of(study, rule_name, tables=None, **outputs):
         Also the name of its log.
     tables : callable, optional
         Input function: a table a curve; without one the outputs are made of nothing.
+    digits : str
+        Form of floating-point numbers.
     **outputs
         Names of the tables, by `table` or the module's function that makes them.
     """
@@ -59,6 +61,7 @@ def table_of(study, rule_name, tables=None, **outputs):
             **{function: results(f"tables/{table}.csv") for function, table in outputs.items()},
         params:
             study=study,
+            digits=digits,
         script:
             str(BASE / "workflow/scripts/studies/table.py")
 

@@ -55,15 +55,13 @@ rule assumptions_map:
         "scripts/assumptions_map.py"
 
 
-rule table_assumptions_map:
-    input:
-        curves=of_run(rules.assumptions_map.output[0]),
-    output:
-        results("tables/assumptions_map.csv"),
-    script:
-        "scripts/table_assumptions_map.py"
-
-
+table_of(
+    "assumptions",
+    "table_assumptions_map",
+    tables=of_run(rules.assumptions_map.output[0]),
+    digits="%.4f",
+    error_by_building="assumptions_map",
+)
 figure_by(
     "studies/assumptions/scripts/figure_assumptions_map",
     "assumptions_map",
@@ -103,15 +101,13 @@ rule assumptions_varied:
         "scripts/assumptions_varied.py"
 
 
-rule table_assumptions_tornado:
-    input:
-        curves=of_run(rules.assumptions_varied.output[0], record=tornado_records),
-    output:
-        results("tables/assumptions_tornado_{model}.csv"),
-    script:
-        "scripts/table_assumptions_tornado.py"
-
-
+table_of(
+    "assumptions",
+    "table_assumptions_tornado",
+    tables=of_run(rules.assumptions_varied.output[0], record=tornado_records),
+    digits="%.4f",
+    tornado="assumptions_tornado_{model}",
+)
 figure_by(
     "studies/assumptions/scripts/figure_assumptions_tornado",
     "assumptions_tornado_{model}",

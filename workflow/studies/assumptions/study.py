@@ -17,6 +17,11 @@ from yade_scripts.model.registry import MODELS
 MEASURES = ("collapse", "p10", "median", "p90", "equivalent", "all")
 CAPACITY = [f"pga_{name}_g" for name in MEASURES]
 SIDE = (*MEASURES, "mean")  # of models side by side, whose whole curve is known
+OF_BUILDINGS = ("collapse", "median", "equivalent", "all")
+OF_BASE = {  # measure, and the measure of the base that it is divided by
+    **{name: name for name in ("equivalent", "collapse", "median")},
+    **{name: "median" for name in ("p10", "p90")},
+}
 KEY = ["record", "direction"]
 BASE = "as configured"
 # of two-storey masonry, and a building that does not yield
@@ -260,3 +265,26 @@ def spread_of(table, columns, by):
     long = wide.stack(future_stack=True).rename_axis([*by, "measure"]).reset_index(name="ratio")
     found = spread(long, [*by, "measure"], SPREAD)
     return found[found["curves"] > 0]
+
+
+def error_by_building(table):
+    """Error of one-way coupling before many buildings: ratios to two-way coupling, all records."""
+    key = [*KEY, "period_s", "damping_ratio"]
+    ratios = {f"pga_{name}_g": f"ratio_{name}" for name in OF_BUILDINGS}
+    one_way = table[table["mass_ratio"] == 0.0].set_index(key)[[*ratios]]
+    two_way = table[table["mass_ratio"] > 0.0].join(one_way, on=key, rsuffix="_one_way")
+    for column, name in ratios.items():
+        two_way[name] = two_way[f"{column}_one_way"] / two_way[column]
+    by = ["damping_ratio", "period_s", "mass_ratio"]
+    return spread_of(two_way.sort_values(by), [*ratios.values()], by)
+
+
+def tornado(table):
+    """What each assumption of a model is worth: collapse with it over collapse as configured."""
+    table = table.rename(columns={"runs_planar": "runs"})
+    base = table[table["assumption"] == BASE].set_index(KEY)
+    base = table[KEY].join(base[CAPACITY], on=KEY)
+    for name, other in OF_BASE.items():
+        table[f"ratio_{name}"] = table[f"pga_{name}_g"] / base[f"pga_{other}_g"]
+    ratios = [f"ratio_{name}" for name in OF_BASE]
+    return table[["model", *KEY, "assumption", "level", *CAPACITY, *ratios, "runs"]]

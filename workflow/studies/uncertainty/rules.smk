@@ -79,15 +79,20 @@ rule uncertainty_tables:
         "scripts/uncertainty_tables.py"
 
 
-figure_by(
-    "studies/uncertainty/scripts/figure_uncertainty",
+figure_of(
+    "uncertainty",
     "uncertainty",
     "Fragility",
     "motion, material and model form",
+    caption="Where the scatter of collapse comes from. Left: share of each part in the variance of"
+    " the logarithm of the collapse PGA, with intervals from motions and points of the sample left"
+    " out one at a time. Middle: change of the collapse PGA for one standard deviation of each"
+    " parameter, all else as drawn, by form of the model. Right: probability of collapse with the"
+    " scatter of the motion alone, with that of the material added, and with everything.",
+    facts=of_run(rules.own_record.output.facts, record=sampled),
     parts=rules.uncertainty_tables.output.parts,
     sensitivity=rules.uncertainty_tables.output.sensitivity,
     fragility=rules.uncertainty_tables.output.fragility,
-    facts=of_run(rules.own_record.output.facts, record=sampled),
 )
 
 

@@ -1,13 +1,11 @@
-"""Parts of the scatter of collapse, what each parameter moves, and fragility with its parts."""
+"""Figure of the study `uncertainty`."""
 
 import matplotlib.pyplot as plt
 import numpy as np
 from rocking.figures import style
 from rocking.figures.panels import intervals
-from rocking.runtime.script import run
-from rocking.tables import read_frame
-from studies.shared.fragility import Fragility
 
+from studies.shared.fragility import Fragility
 from yade_scripts.model.registry import MODELS
 
 WORDS = {
@@ -26,23 +24,21 @@ ENDS = ("", "_low", "_high")
 SPAN = {"lw": 0.9, "ms": 4}
 
 
-def main(job):
-    found, slopes, curves = (
-        read_frame(path) for path in (job.input.parts, job.input.sensitivity, job.input.fragility)
-    )
+def draw(parts, sensitivity, fragility):
+    """Draw the parts of the scatter, what each parameter moves, and fragility with the parts."""
     figure, (left, middle, right) = plt.subplots(1, 3, figsize=(10.5, 3.8))
-    parts = found[found["part"] != "total"][::-1]
-    place = np.arange(len(parts))
-    shares = (100.0 * parts[f"share{end}"] for end in ENDS)
-    intervals(left, place, *shares, along="x", marker="o", color="k", **SPAN)
-    labels = [f"{p} ({b:.2f})" for p, b in zip(parts["part"], parts["beta"], strict=True)]
+    shown = parts[parts["part"] != "total"][::-1]
+    place = np.arange(len(shown))
+    share, low, high = (100.0 * shown[f"share{end}"] for end in ENDS)
+    intervals(left, place, share, low, high, along="x", marker="o", color="k", **SPAN)
+    labels = [f"{p} ({b:.2f})" for p, b in zip(shown["part"], shown["beta"], strict=True)]
     left.set_yticks(place, [label.replace(" x ", " × ") for label in labels], fontsize=7)
     left.set(xlabel="share of the variance of ln PGA [%]", xlim=(0, None))
     left.set_title("parts (their dispersion)", loc="left", fontsize=8)
 
-    own = slopes[slopes["model"] != "all"]
+    own = sensitivity[sensitivity["model"] != "all"]
     names = list(dict.fromkeys(own["parameter"]))
-    everything = slopes[slopes["model"] == "all"].set_index("parameter")["slope"].abs()
+    everything = sensitivity[sensitivity["model"] == "all"].set_index("parameter")["slope"].abs()
     names.sort(key=lambda name: everything[name])
     models = list(dict.fromkeys(own["model"]))
     for k, model in enumerate(models):
@@ -51,28 +47,25 @@ def main(job):
         kind, other = MODELS[model.split()[0]], " " in model  # on another base: open symbols
         look = {"marker": kind.marker, "color": kind.colour, "label": model}
         look |= {"mfc": "white"} if other else {}
-        changes = (100.0 * np.expm1(part[f"slope{end}"]) for end in ENDS)
-        intervals(middle, y, *changes, along="x", **look, **SPAN)
+        slope, low, high = (100.0 * np.expm1(part[f"slope{end}"]) for end in ENDS)
+        intervals(middle, y, slope, low, high, along="x", **look, **SPAN)
     middle.axvline(0.0, color=style.GREY, lw=0.8, zorder=0)
     middle.set_yticks(np.arange(len(names)), [WORDS[name] for name in names])
     middle.set(xlabel="change of collapse PGA for one\nstandard deviation [%]")
     columns = min(len(models), 3)
     middle.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=columns, fontsize=7)
 
-    median, widest = curves["median_g"].iloc[0], curves["dispersion"].max()
+    median, widest = fragility["median_g"].iloc[0], fragility["dispersion"].max()
     x = median * np.exp(np.linspace(-2.5, 2.5, 121) * widest)
-    for k, row in enumerate(curves.itertuples()):
+    for k, row in enumerate(fragility.itertuples()):
         label = f"{row.curve} ({row.dispersion:.2f})"
         curve = Fragility(row.median_g, row.dispersion).probability(x)
         right.plot(x, curve, ls=LINES[k], color=("0.6", "#0072B2", "k", "#D55E00")[k], label=label)
     right.set(xlabel="PGA [g]", ylabel="probability of collapse [-]", ylim=(0, 1), xlim=(0, x[-1]))
     right.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, fontsize=7)
-    first = found.iloc[0]
+    first = parts.iloc[0]
     figure.suptitle(
         f"{first['n_motions']:.0f} motions, {first['n_samples']:.0f} points of the sample, "
         f"{first['n_models']:.0f} forms of the model"
     )
-    style.save(figure, job.output, job.input.facts)
-
-
-run(main, globals())
+    return figure
