@@ -140,7 +140,7 @@ def walls_of(rule_name, cases, path, **needed):
             "{params.yade} walls --list {input.cases:q} --output {output:q} 2> {log:q}"
 
 
-def figure_of(study, title, category, result, caption, facts=None, draw="draw", **inputs):
+def figure_of(study, title, category, result, caption, facts=None, **inputs):
     """Rule `figure_<title>`: a figure that the module of a study draws from tables.
 
     Parameters
@@ -153,8 +153,6 @@ def figure_of(study, title, category, result, caption, facts=None, draw="draw", 
         What the report says of it.
     facts : callable, optional
         Input function: provenance of the motions; by default of the run's records.
-    draw : str
-        The module's function.
     **inputs
         Tables that it takes.
     """
@@ -169,7 +167,6 @@ def figure_of(study, title, category, result, caption, facts=None, draw="draw", 
             **figure(title, category, result, about="study"),
         params:
             study=study,
-            draw=draw,
             caption=caption,
         script:
             str(BASE / "workflow/scripts/studies/figure.py")

@@ -1,7 +1,7 @@
 """A figure of a study, as its `figure.py` draws it from tables.
 
-`params.study` names the folder of the study, `params.draw` the function there, which takes what
-the rule's inputs hold, under their names: a table (CSV) or values (JSON), of several files a list.
+`params.study` names the folder of the study. Its function `draw` takes what the rule's inputs hold,
+under their names: a table (CSV) or values (JSON), of several files a list.
 """
 
 from importlib import import_module
@@ -21,9 +21,8 @@ def read(given):
 
 def main(job):
     study = import_module(f"studies.{job.params.study}.figure")
-    draw = getattr(study, job.params.get("draw", "draw"))
     found = {name: read(given) for name, given in job.input.items() if name not in NOT_DRAWN}
-    style.save(draw(**found), job.output, job.input.facts)
+    style.save(study.draw(**found), job.output, job.input.facts)
 
 
 run(main, globals())
