@@ -74,21 +74,6 @@ rule assess_levels:
         "scripts/assess_levels.py"
 
 
-rule assess_floor_spectra:
-    input:
-        **MOTIONS,
-        facts=of_run(rules.record.output.facts),
-    output:
-        **figure("floor_spectra", "Code of practice", "floor spectra, formula over chain"),
-        table=results("assessment/floor_spectra.csv"),
-    params:
-        table=lambda w: RUNS.table_path(w.run),
-        records=lambda w: RUNS.records[w.run],
-        settings=RUNS.params_of("smdof", "baseline", "seed"),
-    script:
-        "scripts/assess_floor_spectra.py"
-
-
 rule compare_code_and_dynamics:
     input:
         tables=every_run(rules.assess_checks.output[0], COLLAPSE, GOVERNING_COLLAPSE),

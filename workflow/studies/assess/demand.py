@@ -142,8 +142,7 @@ class FloorDemand:
 
     combined over modes by the root of the sum of squares, and not less than S_e(T, ξ) of the ground
     where T > T1. At T = 0 it is the floor's peak acceleration, which is not taken below the
-    ground's PGA: low down, the code's first mode alone would be. Measured against the exact chain
-    in `floor_spectra`. `bounded` is with that bound, the lower bound of C7.2.5 and that of
+    ground's PGA: low down, the code's first mode alone would be. `bounded` is with that bound, the lower bound of C7.2.5 and that of
     C8.7.1.12 (`displacement`), which secondary transcriptions leave out.
     """
 

@@ -1,11 +1,10 @@
-"""Columns of the assessment's tables beside the PGA: over the demand, the worst model, the band."""
+"""Columns of the assessment's tables beside the PGA: over the demand, the worst model."""
 
 from types import SimpleNamespace
 
-import numpy as np
 import pandas as pd
 import pytest
-from studies.assess import floor_spectra, ties, ties_shaken, ties_tables
+from studies.assess import ties, ties_shaken, ties_tables
 from studies.assess.code_spectrum import CodeDemand
 from study_cases import study_settings
 
@@ -60,16 +59,3 @@ def test_of_a_part_the_answer_of_every_model_stands():
         found = Answers(dict(zip(("W1", "W2"), models, strict=True))).everything([])
         by_model = dict(zip(("W1", "W2"), models, strict=True))
         assert found == {part: {m: own[part] for m, own in by_model.items()} for part in "abc"}
-
-
-def test_the_band_of_a_formula_s_ratios_by_hand():
-    """Of ratios 0.8, 0.9, 0.95, 1.0 and 2.0 three lie below one; the middle one is 0.95."""
-    ratios = np.array([0.8, 0.9, 0.95, 1.0, 2.0])
-    table = pd.DataFrame({"formula_g": 0.5 * ratios, "exact_g": 0.5})
-    table = table.assign(variant="first mode", floor=2, t_over_t1=1.0)
-    (row,) = floor_spectra.spread(table).to_dict("records")
-    assert row["ratio_median"] == pytest.approx(0.95)
-    assert row["ratio_p16"] == pytest.approx(0.864)  # 0.64 of the way from 0.8 to 0.9
-    assert row["ratio_p84"] == pytest.approx(1.36)  # 0.36 of the way from 1 to 2
-    assert row["share_below_1"] == pytest.approx(0.6)
-    assert row["n"] == 5
