@@ -260,7 +260,7 @@ def spectrum(data):
     rows = _national(data) or [(say("hand.spectrum.demand"), data.demand_said)]
     period_s = chain["period_s"] * own["building_period_factor"]
     place = data.weakest.place
-    (share,) = floor_demand(None, place, chain).share
+    share = floor_demand(None, place, chain).share
     about = {"period_s": period_s, "place": place, "share": abs(share)}
     floor = say.count("hand.spectrum.of_floor", chain["n_dof"], **about)
     return Table(

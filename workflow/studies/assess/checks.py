@@ -165,21 +165,6 @@ def nonlinear(mechanism, demand, where, limit="SLV", *, confidence_factor=1.0, t
     return Check(name, cited(*keys), d, needed, "m", demand.pga_g, fails, steps)
 
 
-def first_reading(mechanism, demand, limit):
-    """PGA at which the non-linear check of secondary transcriptions fails [g].
-
-    To tell what the letter changes: demand at the secant period alone, no bound by the onset,
-    FC = 1.
-    """
-    share, factor, damping = LIMITS[limit]
-    per_control = mechanism.participation()[2]
-    control = share * mechanism.ultimate()[1]
-    a = capacity_at(mechanism, control, 1.0)
-    d = control * per_control
-    needed = displacement(demand, factor * math.pi * math.sqrt(d / a), damping)
-    return demand.pga_g * d / needed
-
-
 def eurocode(mechanism, demand, where, limit="SD", *, knowledge=1, crushes=False):
     """Rocking check of EN 1998-3:2025, known at second hand.
 

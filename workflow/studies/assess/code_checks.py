@@ -4,7 +4,7 @@ import numpy as np
 from rocking.records import integrate
 
 from studies.assess import checks
-from studies.assess.demand import RecordDemand, floor_demand
+from studies.assess.demand import RecordDemand
 from studies.assess.family import Family
 from studies.assess.rocking_block import overturning_pga
 from studies.assess.slv import Slv, read_as
@@ -14,7 +14,6 @@ from yade_scripts.model.motion import SIGNS
 CHECKS = (  # keys of the tables; their names are `table.check` of the catalogue
     *("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height"),
     *("slv_both", "slc_both", "slv_both_fc"),
-    *("slv_ground_first", "slv_height_first", "slv_both_first", "slc_both_first", "slv_all_modes"),
     *("en_sd_ground", "en_sd_height", "en_nc_ground", "en_nc_height"),
     *("parts_ground", "parts_height", "parts_slow"),
     *("housner", "oscillator"),
@@ -97,13 +96,11 @@ def mechanism_of(sections):
 def failing_pga(whole, sections, record, directions, max_pga_g):
     """PGA at which each check just fails under one record, its own spectrum scaled [g].
 
-    FC is 1, for the dynamic answer knows its façade, but where a key says otherwise. Beside the
-    code's letter stand what secondary transcriptions make of it (`first_reading`, on all modes
-    without bounds) and, of the floor check, all modes. The rocking oscillator is integrated, so its
-    answer depends on the direction; NaN where it stands up to `max_pga_g`. Rows are (direction,
-    key, pga_g).
+    FC is 1, for the dynamic answer knows its façade, but where a key says otherwise. The rocking
+    oscillator is integrated, so its answer depends on the direction; NaN where it stands up to
+    `max_pga_g`. Rows are (direction, key, pga_g).
     """
-    facade, chain = Facade.of(sections["facade"]), sections["smdof"]
+    facade = Facade.of(sections["facade"])
     demand = RecordDemand(record.acceleration_m_s2, record.dt_s)
     by_code = code_checks(whole, sections, demand, 1.0)
     alike = {key: check.failing_pga_g for key, check in by_code.items() if key in CHECKS}
@@ -111,14 +108,6 @@ def failing_pga(whole, sections, record, directions, max_pga_g):
         alike[f"{limit}_both"] = least(by_code, limit)
     known = code_checks(whole, sections, demand, checks.LEAST_KNOWN)
     alike["slv_both_fc"] = least(known)
-    old = floor_demand(demand, whole.place, chain, modes="all", bounded=False)
-    for limit in checks.LIMITS:
-        ground, floor = (checks.first_reading(whole.mechanism, at, limit) for at in (demand, old))
-        alike[f"{limit.lower()}_both_first"] = min(ground, floor)
-        if limit == "SLV":
-            alike |= {"slv_ground_first": ground, "slv_height_first": floor}
-    every = floor_demand(demand, whole.place, chain, modes="all")
-    alike["slv_all_modes"] = checks.nonlinear(whole.mechanism, every, "").failing_pga_g
     rows = []
     for direction in directions:
         rows += [(direction, key, pga_g) for key, pga_g in alike.items()]

@@ -100,8 +100,8 @@ def displacement(demand, period_s, damping_ratio):
     period (Circolare 7/2019, C8.7.1.12): the displacement spectrum does not fall with the period.
     """
     value = demand.acceleration(period_s, damping_ratio) * G_M_S2 * (period_s / (2 * np.pi)) ** 2
-    if isinstance(demand, FloorDemand) and demand.bounded:
-        first = max(demand.period_s)
+    if isinstance(demand, FloorDemand):
+        first = demand.period_s
         if period_s > UPPER * first:
             peak = demand.acceleration(first, damping_ratio) * G_M_S2
             value = max(value, peak * (UPPER * first / (2.0 * np.pi)) ** 2)
@@ -120,7 +120,7 @@ def largest_displacement(demand, low_s, high_s, damping_ratio):
     periods = [*PERIOD_STEP ** np.arange(math.ceil(first), math.ceil(last)), high_s]
     ground = demand.ground if isinstance(demand, FloorDemand) else demand
     periods = sorted({*periods, *(t for t in ground.edges_s if low < t < high_s)})
-    if isinstance(ground, RecordDemand) and (ground is demand or demand.bounded):
+    if isinstance(ground, RecordDemand):
         ground.compute(periods, damping_ratio)
     found = [displacement(demand, float(t), damping_ratio) for t in periods]
     most = max(found)
@@ -130,27 +130,25 @@ def largest_displacement(demand, low_s, high_s, damping_ratio):
 
 @dataclass(frozen=True)
 class FloorDemand:
-    """Floor spectrum at height z by the Circolare 7/2019, C7.2.5 to C7.2.8.
+    """Floor spectrum at height z by the Circolare 7/2019, C7.2.5 to C7.2.8, of the first mode.
 
-    Of every mode k the floor feels a_k = S_e(T_k, ξ_k)|γ_k ψ_k(z)|√(1 + 0.0004 ξ_k²), ξ in per
-    cent. An oscillator of period T and damping ξ on the floor feels, with R = 1.1 ξ_k^−0.5 η(ξ),
-    ξ_k as a ratio, a = 0.8 and b = 1.1,
+    The code says that the first mode is enough for ultimate states. Of it the floor feels
+    a_1 = S_e(T1, ξ_1)|γ_1 ψ_1(z)|√(1 + 0.0004 ξ_1²), ξ_1 in per cent. An oscillator of period T and
+    damping ξ on the floor feels, with R = 1.1 ξ_1^−0.5 η(ξ), ξ_1 as a ratio, a = 0.8 and b = 1.1,
 
-        R a_k/[1 + (R − 1)(1 − T/aT_k)^1.6]   for T < a T_k,
-        R a_k                                 for a T_k ≤ T < b T_k,
-        R a_k/[1 + (R − 1)(T/bT_k − 1)^1.2]   above,
+        R a_1/[1 + (R − 1)(1 − T/aT1)^1.6]   for T < a T1,
+        R a_1                                for a T1 ≤ T < b T1,
+        R a_1/[1 + (R − 1)(T/bT1 − 1)^1.2]   above,
 
-    combined over modes by the root of the sum of squares, and not less than S_e(T, ξ) of the ground
-    where T > T1. At T = 0 it is the floor's peak acceleration, which is not taken below the
-    ground's PGA: low down, the code's first mode alone would be. `bounded` is with that bound, the lower bound of C7.2.5 and that of
-    C8.7.1.12 (`displacement`), which secondary transcriptions leave out.
+    and not less than S_e(T, ξ) of the ground where T > T1. At T = 0 it is the floor's peak
+    acceleration, which is not taken below the ground's PGA: low down, the code's first mode alone
+    would be.
     """
 
     ground: Any  # RecordDemand, TableDemand or CodeDemand
-    period_s: tuple  # T_k of the modes that count
-    share: tuple  # γ_k ψ_k(z)
-    damping_ratio: float = REFERENCE  # ξ_k
-    bounded: bool = True
+    period_s: float  # T1
+    share: float  # γ_1 ψ_1(z)
+    damping_ratio: float = REFERENCE  # ξ_1
     _known: dict = field(default_factory=dict, repr=False, compare=False)
 
     @property
@@ -158,17 +156,11 @@ class FloorDemand:
         """PGA of the ground's demand [g], to which the floor's is proportional."""
         return self.ground.pga_g
 
-    def peaks(self):
-        """a_k of every mode [g]."""
-        return self._peaks
-
     @cached_property
-    def _peaks(self):
+    def peak_g(self):
+        """a_1 [g]."""
         root = np.sqrt(1.0 + 0.0004 * (100.0 * self.damping_ratio) ** 2)
-        return tuple(
-            self.ground.acceleration(t, self.damping_ratio) * abs(s) * root
-            for t, s in zip(self.period_s, self.share, strict=True)
-        )
+        return self.ground.acceleration(self.period_s, self.damping_ratio) * abs(self.share) * root
 
     def acceleration(self, period_s, damping_ratio=REFERENCE):
         """Pseudo-acceleration of an oscillator on the floor [g]."""
@@ -179,51 +171,34 @@ class FloorDemand:
 
     def _acceleration(self, period_s, damping_ratio):
         r = 1.1 * self.damping_ratio**-0.5 * eta(damping_ratio)
-        square = 0.0
-        for own, peak in zip(self.period_s, self._peaks, strict=True):
-            below, above = 1.0 - period_s / (LOWER * own), period_s / (UPPER * own) - 1.0
-            divisor = 1.0
-            if below > 0.0:
-                divisor += (r - 1.0) * below**1.6
-            elif above > 0.0:
-                divisor += (r - 1.0) * above**1.2
-            square += (r * peak / divisor) ** 2
-        found = float(np.sqrt(square))
-        if self.bounded and (period_s <= 0.0 or period_s > max(self.period_s)):
+        below = 1.0 - period_s / (LOWER * self.period_s)
+        above = period_s / (UPPER * self.period_s) - 1.0
+        divisor = 1.0
+        if below > 0.0:
+            divisor += (r - 1.0) * below**1.6
+        elif above > 0.0:
+            divisor += (r - 1.0) * above**1.2
+        found = float(r * self.peak_g / divisor)
+        if period_s <= 0.0 or period_s > self.period_s:
             found = max(found, self.ground.acceleration(period_s, damping_ratio))
         return found
 
 
-def floor_demand(ground, height_ratio, chain, modes="first", bounded=True, damaged=None):
-    """Floor spectrum at a share z/H of the building's height; shapes are straight between floors.
+def floor_demand(ground, height_ratio, chain, damaged=None):
+    """Floor spectrum at a share z/H of the building's height; the shape is straight between floors.
 
-    `chain` is section smdof. Modes: "first" alone, which the code says is enough for ultimate
-    states, "all" of the equal chain, or "linear", the first as a straight line with γ1 = 3n/(2n +
-    1) (C7.2.10). `bounded` is of `FloorDemand`. `damaged` are period factor and damping ratio of
-    the building at ultimate states (C8.7.1.2.1.4); None leaves it as it is.
+    `chain` is section smdof. `damaged` are period factor and damping ratio of the building at
+    ultimate states (C8.7.1.2.1.4); None leaves it as it is.
     """
     n = chain["n_dof"]
-    if modes == "linear":
-        gamma = 3.0 * n / (2.0 * n + 1.0)
-        periods, shares = [chain["period_s"]], [gamma * height_ratio]
-    else:
-        periods, rows = _modes(n, chain["period_s"])
-        levels = np.arange(n + 1) / n
-        count = 1 if modes == "first" else n
-        periods = periods[:count]
-        shares = [np.interp(height_ratio, levels, rows[:, k]) for k in range(count)]
+    period_s, shares = _first_mode(n, chain["period_s"])
+    share = float(np.interp(height_ratio, np.arange(n + 1) / n, shares))
     factor, damping = damaged or (1.0, chain["damping_ratio"])
-    return FloorDemand(
-        ground,
-        tuple(float(factor * t) for t in periods),
-        tuple(float(s) for s in shares),
-        damping,
-        bounded,
-    )
+    return FloorDemand(ground, float(factor * period_s), share, damping)
 
 
 @lru_cache(maxsize=64)
-def _modes(n, period_s):
-    """Periods of a chain's modes [s] and participation times shape by level, the base's row 0."""
+def _first_mode(n, period_s):
+    """Period of a chain's first mode [s], and its γψ by level, the base's 0."""
     shear = shear_chain(n, period_s)
-    return shear.periods_s(), np.vstack([np.zeros(n), shear.modes()[1]])
+    return shear.periods_s()[0], np.append(0.0, shear.modes()[1][:, 0])

@@ -22,23 +22,24 @@ from test_checks import CHAIN, SPECTRUM
 
 from smdof.spectra import response_spectrum
 
+NARROW = TableDemand(np.array([0.0, 0.29, 0.31, 0.4, 3.0]), np.array([0.2, 0.5, 0.5, 1e-3, 1e-3]))
+
 
 def test_floor_spectrum_by_hand():
-    """One mode, T = 0.3 s, γψ = 1.2·0.5 = 0.6 (n = 2), S_e = 0.5 g: a = 0.3·√1.01 = 0.3015 g.
+    """T = 0.3 s, γψ = 0.6, S_e = 0.5 g: a = 0.3·√1.01 = 0.3015 g.
 
     R = 1.1/√0.05 = 4.919. At T = 0: a; at 0.3 s: R a = 1.483; at 0.12 s: 1 − 0.5 = 0.5,
     4.919·0.3015/(1 + 3.919·0.5^1.6 = 2.293) = 0.6468; at 0.66 s: 1.483/(1 + 3.919) = 0.3015, less
     than the ground's 0.4712, which is the bound beyond T1.
     """
-    floor = floor_demand(SPECTRUM, 0.5, CHAIN, "linear")
-    three(floor.peaks()[0], 0.3015)
+    floor = FloorDemand(SPECTRUM, 0.3, 0.6)
+    three(floor.peak_g, 0.3015)
     three(floor.acceleration(0.0), 0.3015)
     three(floor.acceleration(0.3), 1.483)
     three(floor.acceleration(0.12), 0.6468)
     three(floor.acceleration(0.66), 0.4712)
-    free = floor_demand(SPECTRUM, 0.5, CHAIN, "linear", bounded=False)
-    three(free.acceleration(0.66), 0.3015)
-    low = floor_demand(SPECTRUM, 0.1, CHAIN, "linear")  # below T1 the ground's 0.38 g is no bound
+    three(FloorDemand(NARROW, 0.3, 0.6).acceleration(0.66), 0.3015)
+    low = FloorDemand(SPECTRUM, 0.3, 0.12)  # below T1 the ground's 0.38 g is no bound
     three(low.acceleration(0.12), 0.6468 / 5.0)
 
 
@@ -47,12 +48,10 @@ def test_floor_displacements_do_not_fall_with_the_period():
 
     At 0.8 s the formula alone has 1.483/(1 + 3.919(0.8/0.33 − 1)^1.2) g = 0.2122 g: 0.03374 m.
     """
-    none = TableDemand(np.array([0.0, 0.29, 0.31, 0.4, 3.0]), np.array([0.2, 0.5, 0.5, 1e-3, 1e-3]))
-    floor = floor_demand(none, 0.5, CHAIN, "linear")
+    floor = FloorDemand(NARROW, 0.3, 0.6)
     three(displacement(floor, 0.8, 0.05), 0.04012)
-    free = floor_demand(none, 0.5, CHAIN, "linear", bounded=False)
-    three(displacement(free, 0.8, 0.05), 0.03374)
-    found, at = largest_displacement(free, 0.0, 0.8, 0.05)
+    three(floor.acceleration(0.8), 0.2122)
+    found, at = largest_displacement(floor, 0.0, 0.8, 0.05)
     assert found >= 0.0398  # the same, sought over the periods
     assert at < 0.42
 
@@ -73,7 +72,7 @@ def test_where_the_displacement_is_flat_its_period_is_that_at_which_it_begins():
     periods = np.array([0.2, 0.4, 0.8, 1.6, 2.5])
     table = TableDemand(np.array([0.0, *periods]), np.array([0.3, *(0.14 / periods)]))
     for ground, begins in ((code, 4.0 * 0.26 + 1.6), (table, 2.5)):
-        for demand in (ground, FloorDemand(ground, (0.3,), (0.2,))):
+        for demand in (ground, FloorDemand(ground, 0.3, 0.2)):
             found, at = largest_displacement(demand, 0.0, 3.7, 0.08)
             assert at == pytest.approx(begins)
             assert found == pytest.approx(displacement(ground, 3.3, 0.08))
@@ -81,20 +80,27 @@ def test_where_the_displacement_is_flat_its_period_is_that_at_which_it_begins():
 
 
 def test_damage_lengthens_the_buildings_period_in_the_floor_spectrum():
-    """T1 = 0.3·1.5 = 0.45 s, 10 %: a = 0.5·√(10/15)·0.6·√1.04 = 0.2498 g, R = 1.1/√0.1 = 3.479."""
-    floor = floor_demand(SPECTRUM, 0.5, CHAIN, "linear", damaged=(1.5, 0.10))
-    assert floor.period_s == (pytest.approx(0.45),)
-    three(floor.peaks()[0], 0.2498)
-    three(floor.acceleration(0.45), 3.479 * 0.2498)
+    """T1 = 0.3·1.5 = 0.45 s, 10 %: a over γψ is 0.5·√(10/15)·√1.04 = 0.4163 g, R = 1.1/√0.1 = 3.479.
+
+    γψ is that of the building as it is.
+    """
+    floor = floor_demand(SPECTRUM, 0.5, CHAIN, damaged=(1.5, 0.10))
+    assert floor.period_s == pytest.approx(0.45)
+    three(floor.peak_g, 0.4163 * floor.share)
+    three(floor.acceleration(0.45), 3.479 * 0.4163 * floor.share)
 
 
-def test_floor_spectrum_of_all_modes_is_continuous_at_the_ground():
-    """On the ground no mode has a share; at the roof Σ γψ = 1 and the first is 1.17 (n = 2)."""
-    assert floor_demand(SPECTRUM, 0.0, CHAIN, bounded=False).acceleration(0.3) == 0.0
-    shares = floor_demand(SPECTRUM, 1.0, CHAIN, "all").share
-    three(sum(shares), 1.0)
-    three(shares[0], 1.171)
-    assert floor_demand(SPECTRUM, 1.0, CHAIN).share == shares[:1]
+def test_the_first_modes_share_of_the_ground_s_motion_by_height():
+    """None at the ground and 1.171 at the roof of two floors, φ = (1, 1.618): Σφ/Σφ²·1.618.
+
+    Between two floors it lies on the line, a quarter of the height up at half of the first floor's.
+    """
+    roof = floor_demand(SPECTRUM, 1.0, CHAIN).share
+    three(roof, 1.171)
+    first = floor_demand(SPECTRUM, 0.5, CHAIN).share
+    assert first == pytest.approx(roof / 1.618, rel=1e-3)
+    assert floor_demand(SPECTRUM, 0.25, CHAIN).share == pytest.approx(0.5 * first)
+    assert floor_demand(SPECTRUM, 0.0, CHAIN).share == 0.0
 
 
 def test_the_italian_spectrum_by_hand():
