@@ -99,25 +99,6 @@ rule compare_code_and_dynamics:
         "scripts/code_against_dynamics.py"
 
 
-rule figure_code_unsafe:
-    input:
-        table=rules.compare_code_and_dynamics.output.table,
-        facts=every_run(rules.record.output.facts),
-    output:
-        png=shown(
-            f"{COMPARED}/code_unsafe_share.png",
-            "code_against_dynamics",
-            "Code of practice",
-            "where the checks are unsafe",
-            run=RUNS.name,
-        ),
-        pdf=f"{COMPARED}/code_unsafe_share.pdf",
-    log:
-        logs("figure_code_unsafe").format(run=RUNS.name),
-    script:
-        "scripts/figure_code_unsafe.py"
-
-
 rule compare_kinematic_and_dynamic:
     input:
         levels=every_run(rules.assess_levels.output[0]),
@@ -142,5 +123,4 @@ rule code_against_dynamics:
     """
     input:
         rules.compare_code_and_dynamics.output.table,
-        rules.figure_code_unsafe.output.png,
         rules.compare_kinematic_and_dynamic.output.table,

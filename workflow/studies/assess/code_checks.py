@@ -1,8 +1,5 @@
 """All checks of one façade under one demand, and which mechanism of it they are applied to."""
 
-import numpy as np
-from rocking.records import integrate
-
 from studies.assess import checks
 from studies.assess.demand import RecordDemand
 from studies.assess.family import Family
@@ -121,16 +118,3 @@ def failing_pga(whole, sections, record, directions, max_pga_g):
         )
         rows.append((direction, "oscillator", alone))
     return rows
-
-
-def pulse_share(record):
-    """Share of ∫v² dt that lies in the half cycle of velocity with the largest peak [-].
-
-    Near 1 for a single pulse, small for a long train of cycles. A half cycle lies between two zero
-    crossings.
-    """
-    v, _ = integrate(record.acceleration_m_s2, record.dt_s)
-    v = v - np.linspace(0.0, v[-1], v.size)
-    cycle = np.concatenate(([0], np.cumsum(np.signbit(v[1:]) != np.signbit(v[:-1]))))
-    mine = cycle == cycle[np.abs(v).argmax()]
-    return float(np.sum(v[mine] ** 2) / np.sum(v**2))

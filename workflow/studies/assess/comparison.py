@@ -13,11 +13,10 @@ from rocking.stations import FEWEST, interval, resampled
 from rocking.tables import read_frame, read_tables
 
 from studies.shared.fragility import fit
-from yade_scripts.model import registry
 
 EXACT = 1e-6  # relative half width of the interval that stands for an exact ratio
 COLUMNS = [
-    *("model", "level", "check", "group", "value", "n", "n_facades", "n_censored"),
+    *("model", "level", "check", "n", "n_facades", "n_censored"),
     *("median_ratio", "log_scatter", "unsafe_share", "ci_low", "ci_high"),
 ]
 CHECKED_AG_G = (0.05, 0.10, 0.15, 0.20, 0.25, 0.30)  # a_g of the code's checks
@@ -103,28 +102,12 @@ def summary(table, resamples, seed):
     }
 
 
-def groups(table):
-    """Parts of the table by what they have in common: (group, value, rows)."""
-    yield "all", "all", table
-    facts = {"height": "height_m", "slenderness": "slenderness", "T1": "period_s"}
-    for name, column in facts.items():
-        for value, part in table.groupby(column):
-            yield name, f"{value:g}", part
-    for name, column in (("pulse share", "pulse_share"), ("PGV/PGA", "pgv_over_pga_s")):
-        by_record = table.drop_duplicates("record")[column]
-        middle = float(by_record.median())
-        yield name, f"below {middle:.2g}", table[table[column] <= middle]
-        yield name, f"above {middle:.2g}", table[table[column] > middle]
-
-
 def compare(table, resamples, seed):
-    """Every model, level (`p10`, `median`), check and group of a table of `gather`; see COLUMNS."""
-    rows = []
-    for (model, level, check), part in table.groupby(["model", "level", "check"], sort=False):
-        for group, value, rest in groups(part):
-            if len(rest) and (group != "T1" or registry.model(model).chain):
-                about = {"model": model, "level": level, "check": check, "group": group}
-                rows.append({**about, "value": value, **summary(rest, resamples, seed)})
+    """Every model, level (`p10`, `median`) and check of a table of `gather`; see COLUMNS."""
+    rows = [
+        {"model": model, "level": level, "check": check, **summary(part, resamples, seed)}
+        for (model, level, check), part in table.groupby(["model", "level", "check"], sort=False)
+    ]
     return pd.DataFrame(rows, columns=COLUMNS)
 
 

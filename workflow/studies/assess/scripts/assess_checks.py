@@ -6,8 +6,7 @@ from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.tables import write_table
 from studies.assess.anchors import completed_settings
-from studies.assess.code_checks import failing_pga, mechanism_of, pulse_share
-from studies.shared.sufficiency import properties
+from studies.assess.code_checks import failing_pga, mechanism_of
 
 
 def main(job):
@@ -15,12 +14,7 @@ def main(job):
     mechanism = mechanism_of(settings)
     for name, station in job.params.records.items():
         record = load_as(settings, name, job.params.table)
-        of_record = {
-            "record": name,
-            "station": station,
-            "pulse_share": pulse_share(record),
-            "pgv_over_pga_s": properties(record)["pgv_over_pga_s"],
-        }
+        of_record = {"record": name, "station": station}
         given = mechanism, settings, record, settings["directions"], settings["ida.max_pga_g"]
         rows += [
             {**of_record, "direction": direction, "check": key, "pga_fails_g": pga_g}

@@ -24,7 +24,7 @@ def main(job):
 
 def draw(table, output, facts):
     """A panel a model: median ratio with one logarithmic deviation, unsafe share beside."""
-    table = table[(table["group"] == "all") & (table["level"] == "median")]
+    table = table[table["level"] == "median"]
     models = list(dict.fromkeys(table["model"]))
     figure, axes = panels(len(models), len(models), (2.6, 4.0), around=(2.2, 0.0), sharey=True)
     keys = [k for k in CHECKS if (table["check"] == k).any()]

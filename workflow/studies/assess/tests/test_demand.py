@@ -80,9 +80,9 @@ def test_where_the_displacement_is_flat_its_period_is_that_at_which_it_begins():
 
 
 def test_damage_lengthens_the_buildings_period_in_the_floor_spectrum():
-    """T1 = 0.3·1.5 = 0.45 s, 10 %: a over γψ is 0.5·√(10/15)·√1.04 = 0.4163 g, R = 1.1/√0.1 = 3.479.
+    """T1 = 0.3·1.5 = 0.45 s, 10 %: a over γψ is 0.5·√(10/15)·√1.04 = 0.4163 g.
 
-    γψ is that of the building as it is.
+    γψ is that of the building as it is; R = 1.1/√0.1 = 3.479.
     """
     floor = floor_demand(SPECTRUM, 0.5, CHAIN, damaged=(1.5, 0.10))
     assert floor.period_s == pytest.approx(0.45)

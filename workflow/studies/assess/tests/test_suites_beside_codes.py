@@ -1,4 +1,4 @@
-"""Tables beside the codes' checks by hand: suites at a PGA, parts beside the whole, pulses."""
+"""Tables beside the codes' checks by hand: suites at a PGA, parts beside the whole."""
 
 import numpy as np
 import pandas as pd
@@ -6,7 +6,6 @@ import pytest
 from rocking.records import Record
 from rocking.records.floors import chain_motions
 from studies.assess import code_tables
-from studies.assess.code_checks import pulse_share
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.comparison import parts_against_whole, share_interval
 from studies.assess.family import Family
@@ -97,17 +96,6 @@ def test_a_share_of_none_or_all_reaches_as_far_as_its_stations_leave_open(flag, 
     assert found[0] == flag
     assert found[end] == pytest.approx(reach if flag == 0.0 else 1.0 - reach)
     assert np.isnan(share_interval(np.full(20, flag), stations % 3, 50, 1)[1:]).all()
-
-
-@pytest.mark.parametrize("cycles", [1, 2, 5])
-def test_of_equal_cycles_every_half_has_its_part_of_the_velocity(cycles):
-    """v = sin over n cycles: 1/(2n) of ∫v²; a single blow and back has all of it."""
-    t = np.linspace(0.0, cycles, 2000 * cycles + 1)
-    dt = 0.01
-    train = Record("train", np.cos(2.0 * np.pi * t), dt, "file")
-    assert pulse_share(train) == pytest.approx(0.5 / cycles, rel=0.01)
-    blow = Record("blow", np.sin(2.0 * np.pi * t[:2001]), dt, "file")
-    assert pulse_share(blow) == pytest.approx(1.0, abs=1e-6)
 
 
 @pytest.mark.parametrize(("arm_m", "place_m"), [(None, 0.3), (0.1, 0.1)])
