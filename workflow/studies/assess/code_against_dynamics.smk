@@ -29,7 +29,7 @@ rule assess_checks:
     params:
         table=lambda w: RUNS.table_path(w.run),
         records=stations,
-        settings=RUNS.params_of(*CHECKED, "directions", "baseline", "seed", "ida.max_pga_g"),
+        settings=RUNS.params_of(*CHECKED, "directions", "baseline", "seed"),
     script:
         "scripts/assess_checks.py"
 

@@ -3,22 +3,20 @@
 from studies.assess import checks
 from studies.assess.demand import RecordDemand
 from studies.assess.family import Family
-from studies.assess.rocking_block import overturning_pga
 from studies.assess.slv import Slv, read_as
 from yade_scripts.model.facades import Facade
-from yade_scripts.model.motion import SIGNS
 
 CHECKS = (  # keys of the tables; their names are `table.check` of the catalogue
     *("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height"),
     *("slv_both", "slc_both", "slv_both_fc"),
     *("en_sd_ground", "en_sd_height", "en_nc_ground", "en_nc_height"),
     *("parts_ground", "parts_height", "parts_slow"),
-    *("housner", "oscillator"),
+    "housner",
 )
 
 
 def code_checks(candidate, sections, demand, confidence_factor=None):
-    """Every check of one mechanism under one demand of the ground, but the oscillator's.
+    """Every check of one mechanism under one demand of the ground.
 
     By the keys of `CHECKS`; those on the ground only where the mechanism stands on it. `sections`
     are facade, smdof and assessment of a configuration. FC is as stated, but that of knowledge
@@ -90,31 +88,16 @@ def mechanism_of(sections):
     return Family(sections).part(0.0)
 
 
-def failing_pga(whole, sections, record, directions, max_pga_g):
+def failing_pga(whole, sections, record):
     """PGA at which each check just fails under one record, its own spectrum scaled [g].
 
-    FC is 1, for the dynamic answer knows its façade, but where a key says otherwise. The rocking
-    oscillator is integrated, so its answer depends on the direction; NaN where it stands up to
-    `max_pga_g`. Rows are (direction, key, pga_g).
+    By the keys of `CHECKS`. FC is 1, for the dynamic answer knows its façade, but where a key says
+    otherwise.
     """
-    facade = Facade.of(sections["facade"])
     demand = RecordDemand(record.acceleration_m_s2, record.dt_s)
     by_code = code_checks(whole, sections, demand, 1.0)
-    alike = {key: check.failing_pga_g for key, check in by_code.items() if key in CHECKS}
+    found = {key: check.failing_pga_g for key, check in by_code.items() if key in CHECKS}
     for limit in ("slv", "slc"):  # whoever applies both takes the larger demand
-        alike[f"{limit}_both"] = least(by_code, limit)
+        found[f"{limit}_both"] = least(by_code, limit)
     known = code_checks(whole, sections, demand, checks.LEAST_KNOWN)
-    alike["slv_both_fc"] = least(known)
-    rows = []
-    for direction in directions:
-        rows += [(direction, key, pga_g) for key, pga_g in alike.items()]
-        alone = overturning_pga(
-            record.acceleration_m_s2,
-            record.dt_s,
-            facade.height_m,
-            facade.thickness_m,
-            SIGNS[direction],
-            max_pga_g,
-        )
-        rows.append((direction, "oscillator", alone))
-    return rows
+    return {**found, "slv_both_fc": least(known)}
