@@ -227,63 +227,6 @@ def together(rows, say=SAY):
     return [(names.short(r, say), r.pga_fails_g) for r in rows.itertuples()]
 
 
-def dynamic_check(verdicts, fit, shaken, say=SAY):
-    """The code's own dynamic check in one sentence.
-
-    Verdicts are of every model and mechanism, as of `dynamic_check.verdict`; `fit` as of
-    `selection.fit_of`, `shaken` of `shaken.chosen`.
-    """
-    if verdicts.empty:
-        return say("verdict.dynamic.not_made")
-    count, verdicts = int(shaken["shaken"].sum()), deciding(verdicts)
-    sure = surely(verdicts)
-    held, lost = (list(verdicts.loc[own, "model"]) for own in (sure, ~sure))
-    fits = fit is None or fit[2]
-    unsure = [r.model for r in verdicts.itertuples() if r.agree < LEAST_DRAWS]
-    of = say("verdict.dynamic.whole") if count == 1 else say("verdict.dynamic.several", count=count)
-    under = "verdict.dynamic.under" if fits else "verdict.dynamic.under_misfit"
-    words = say(
-        f"verdict.dynamic.section_{'whole' if count == 1 else 'several'}",
-        of=of,
-        verdict=_verdict(held, lost, say),
-        under=say(under, motions=verdicts["motions"].iloc[0]),
-        moves=", ".join(_moves(row, say) for row in verdicts.itertuples()),
-        limits="; ".join(_limits(verdicts, shaken, count, say)),
-        unsure=say("verdict.dynamic.unsure", models=say.all_of(unsure)) if unsure else "",
-    )
-    return words + by_hand_alone(shaken, say)
-
-
-def _verdict(held, lost, say):
-    """Whether the check is fulfilled, by the models with which it is and is not."""
-    if held and lost:
-        both = {"held": say.all_of(held), "lost": say.all_of(lost)}
-        return say("verdict.dynamic.is.some", **both)
-    which, many = (HELD, held) if held else (LOST, lost)
-    return say(f"verdict.dynamic.is.{'one' if len(many) == 1 else 'all'}_{which}")
-
-
-def _moves(row, say):
-    about = {"mean_m": row.mean_d_m, "model": row.model}
-    if row.exceed_d0:
-        return say("verdict.dynamic.moves_beyond", **about, count=row.exceed_d0)
-    return say("verdict.dynamic.moves", **about)
-
-
-def _limits(verdicts, shaken, count, say):
-    """d_SLV of the mechanisms that decide, and whether a link sets it."""
-    rows, found = {row.part: row for row in shaken.itertuples()}, []
-    for _, own in verdicts.drop_duplicates("part" if count > 1 else "d_slv_m").iterrows():
-        about = {"slv_m": own["d_slv_m"]}
-        if count > 1:
-            name = names.the(rows[own["part"]], say)
-            limit = say("verdict.dynamic.limit_of", name=name, **about)
-        else:
-            limit = say("verdict.dynamic.limit_there", **about)
-        found.append(say("verdict.dynamic.gives_way", limit=limit) if gives_way(own) else limit)
-    return found
-
-
 def no_rate(dynamic, config, say=SAY):
     """Why there is no annual rate: what has to be stated or given."""
     wants = []
