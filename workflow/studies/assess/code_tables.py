@@ -10,10 +10,10 @@ from rocking.records import G_M_S2
 from rocking.records.floors import chain_motions
 
 from smdof.spectra import response_spectrum
-from studies.assess.code_checks import code_checks, governing, least
+from studies.assess.code_checks import governing, least
 from studies.assess.demand import floor_demand
 from studies.assess.family import Family, pulls_of, stretched
-from studies.assess.sites import EXTENT, site_of
+from studies.assess.sites import EXTENT
 from studies.assess.slv import Slv
 
 CHECKS = [
@@ -29,7 +29,6 @@ CHECKS = [
 ]
 CHECKS += ["pga_demand_g", "source"]
 STEPS = ["part", "mechanism", "check", "symbol", "meaning", "value", "unit"]
-TIE_SHARES = (0.02, 0.05, 0.10, 0.20)  # of the façade's weight
 VARIED = {  # factors by key
     "facade.height_m": (0.95, 1.05),
     "facade.thickness_m": (0.8, 0.95, 1.05, 1.2),  # over which a link's end may be passed
@@ -91,7 +90,7 @@ def stretched_site(site, factor):
     return site._replace(foot_m=factor * site.foot_m, hinge_m=hinge, held_m=held, top_m=top)
 
 
-def mechanism_row(one, found, tie_kn, kind, letter_g):
+def mechanism_row(one, found, tie_kn, letter_g):
     """One row of the table of mechanisms.
 
     `letter_g` is the PGA at which its check fails with every link, those that give way early too.
@@ -101,7 +100,7 @@ def mechanism_row(one, found, tie_kn, kind, letter_g):
     row = {
         "part": one.part,
         "mechanism": one.name,
-        "kind": kind,
+        "kind": AS_STATED,
         "tie_kn": tie_kn,
         "foot_m": one.foot_m,
         "hinge_m": one.hinge_m,
@@ -125,25 +124,10 @@ def mechanism_row(one, found, tie_kn, kind, letter_g):
 
 
 def mechanisms(settings, demand, ranked):
-    """All mechanisms, the least first; what more ties or a held top would do to the first."""
+    """All mechanisms of the façade as it stands, the least first."""
     slv = Slv(settings, demand)
-    family = Family(settings, slv=slv)
-    weight = family.masonry.weight_n
     stated = 1e-3 * sum(one.force_n for one in pulls_of(settings["facade"]))
-    rows = [
-        mechanism_row(one, found, stated, AS_STATED, slv.letter(one)) for _, one, found in ranked
-    ]
-    weakest = site_of(ranked[0][1])
-    for share in TIE_SHARES:
-        ((_, one, found),) = governing(
-            [Family(settings, share * weight).at(weakest)], settings, demand
-        )
-        force = 1e-3 * share * weight
-        words = f"one more row of {force:.3g} kN, {100 * share:g} % of the weight"
-        rows.append(mechanism_row(one, found, stated + force, words, slv.letter(one)))
-    if (held := family.held_top()) is not None:  # else it is held there already
-        found = code_checks(held, settings, demand)
-        rows.append(mechanism_row(held, found, np.nan, "top held", slv.letter(held)))
+    rows = [mechanism_row(one, found, stated, slv.letter(one)) for _, one, found in ranked]
     return pd.DataFrame(rows)
 
 

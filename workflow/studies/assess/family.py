@@ -36,7 +36,6 @@ from yade_scripts.model.facades import ROWS, Facade
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.holds import FRICTION, holds
 
-ADDED_REACH_M = 0.2  # of one more row: elongation of a rod of 4 m that snaps at 5 %
 FEET = 10  # heights from which a part may part with interlocked return walls
 CRACKED = 0.5  # of the modulus, in T0
 NEAR_M = 1e-6
@@ -93,32 +92,24 @@ class Candidate(NamedTuple):
         return self.plane and self.foot_m == 0.0 and alone
 
 
-def pulls_of(facade, added_n=0.0):
-    """What holds a façade (a `Facade` or its section) as `Held`, rigid up to its capacity.
-
-    With `added_n` one more row of that capacity, at the top of what the return walls hold.
-    """
-    facade = Facade.of(facade)
-    found = [
+def pulls_of(facade):
+    """What holds a façade (a `Facade` or its section) as `Held`, rigid up to its capacity."""
+    return [
         Held(one.capacity_n, one.height_m, one.reach_m, False, max(one.slack_m, 0.0))
-        for one in holds(facade)
+        for one in holds(Facade.of(facade))
         if one.kind != FRICTION
     ]
-    if added_n > 0.0:
-        found.append(Held(added_n, facade.height_m, ADDED_REACH_M))
-    return found
 
 
 class Family:
     """All mechanisms of one façade.
 
-    Of sections facade, return_wall and assessment of a configuration; `added_n` as of `pulls_of`.
-    Feet, hinges and corners are those of the least `slv`, which takes a `Candidate` and returns the
-    PGA at which its check fails (`slv.Slv`); without it those of the least α0, where no verdict is
-    asked for.
+    Of sections facade, return_wall and assessment of a configuration. Feet, hinges and corners are
+    those of the least `slv`, which takes a `Candidate` and returns the PGA at which its check fails
+    (`slv.Slv`); without it those of the least α0, where no verdict is asked for.
     """
 
-    def __init__(self, sections, added_n=0.0, slv=None):
+    def __init__(self, sections, slv=None):
         """Read shape, loads and ties."""
         self.slv = slv
         self.wall, self.settings = sections["return_wall"], sections["assessment"]
@@ -134,7 +125,7 @@ class Family:
                 f"facade.thickness_m = {facade.thickness_m:g} (m)"
             )
         self.lean_rad = math.radians(facade.tilt_deg)
-        self.pulls = pulls_of(facade, added_n)
+        self.pulls = pulls_of(facade)
         self.loads = self._loads()
         self.thrusts = [(row.force_n, row.height_m) for row in facade.thrusts]
         self.pushes = [(1e3 * settings["pushing_kn"], self.height_m)]
@@ -249,14 +240,6 @@ class Family:
             if z >= found[-1] + LEAST_PART_M:
                 found.append(z)
         return found
-
-    def held_top(self):
-        """Bending below a held top, where nothing holds it and it would fall so; else None."""
-        low, high = self.levels()[-1], self.height_m
-        if high - low < LEAST_PART_M:
-            return None
-        site = weakest.span(self, [low], low, high)
-        return None if site is None else self.at(site)
 
     def span(self, low_m, foot_m, hinge_m, high_m):
         """Vertical bending of a foot to a level that holds, open at a hinge.

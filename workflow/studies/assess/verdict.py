@@ -4,7 +4,6 @@ from rocking.stations import FEWEST
 
 from studies.assess import names
 from studies.assess.catalogue import SAY
-from studies.assess.code_tables import AS_STATED
 from studies.assess.dynamic_check import LEAST_DRAWS, surely
 from studies.assess.held import GOVERNS
 from studies.assess.shaken import CORNER
@@ -15,8 +14,8 @@ HELD, LOST, DOUBT = "held", "lost", "doubt"  # of a dynamic check
 
 
 def as_stated(mechanisms):
-    """Rows of mechanisms.csv of the façade as it stands, the weakest by hand first."""
-    return mechanisms[mechanisms["kind"] == AS_STATED].sort_values("pga_fails_g")
+    """Rows of mechanisms.csv, the weakest by hand first."""
+    return mechanisms.sort_values("pga_fails_g")
 
 
 def collapses(row, say=SAY, bare=False):

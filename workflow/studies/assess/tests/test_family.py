@@ -28,9 +28,9 @@ GABLE = {
 }
 
 
-def family(facade, added_n=0.0, **own):
+def family(facade, **own):
     resolved = study_settings({"facade": facade, "assessment": own})
-    return Family(resolved, added_n)
+    return Family(resolved)
 
 
 def test_masses_have_the_shapes_weight_centroid_and_second_moment():
