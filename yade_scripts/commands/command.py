@@ -3,8 +3,6 @@
 import argparse
 import sys
 
-from yade_scripts.commands.search import collapse_bounds
-from yade_scripts.commands.tables import read_curve
 from yade_scripts.files import read_case
 from yade_scripts.model import floor_motions
 from yade_scripts.model.motion import SIGNS
@@ -40,25 +38,3 @@ def opened(args):
 def progress(name):
     """Return what prints progress under a name, a line a call."""
     return lambda text: print(f"[{name}]", text, file=sys.stderr, flush=True)
-
-
-def add_intensity(parser):
-    """Let --pga state an intensity, or --collapse name an IDA table that has it."""
-    parser.add_argument("--pga", type=float, help="intensity [g]")
-    parser.add_argument("--collapse", help="IDA table: the lowest intensity that overturned")
-
-
-def intensity(args):
-    """Intensity that the options of `add_intensity` say [g].
-
-    ValueError of a table of which nothing overturned, and if both options or neither is stated.
-    """
-    if (args.pga is None) == (args.collapse is None):
-        raise ValueError("expected either --pga or --collapse")
-    if args.collapse is None:
-        return args.pga
-    status, _ = read_curve(args.collapse)
-    collapse = collapse_bounds(status)[1]
-    if collapse is None:
-        raise ValueError(f"{args.collapse}: expected at least one run that overturned")
-    return collapse

@@ -105,19 +105,3 @@ def next_level(done, settings, start_g, ranges=()):
         row = {"overturned": row + 1, "ok": 0}.get(done[g], row)
         k += 1
     return None
-
-
-# what a curve says
-
-
-def fallen_or_highest(done):
-    """Lowest PGA at which a curve's façade fell [g]; the highest that was run if it never did."""
-    return collapse_bounds(done)[1] or max(done)
-
-
-def collapse_bounds(done):
-    """Highest safe PGA below the first collapse, and the lowest that collapsed [g], or None."""
-    collapsed = [g for g, status in done.items() if status == "overturned"]
-    first = min(collapsed) if collapsed else None
-    safe = [g for g, s in done.items() if s == "ok" and (first is None or g < first)]
-    return (max(safe) if safe else None), first

@@ -57,19 +57,6 @@ def to_csv(rows, columns):
     return text.getvalue()
 
 
-def read_curve(path):
-    """Status and d/b by PGA of an IDA table; NaN where the run failed.
-
-    ValueError of one line that names the file when a column is missing.
-    """
-    with open(path, encoding="utf-8", newline="") as handle:
-        rows = list(csv.DictReader(handle))
-    if not rows or not {"pga_g", "status", "d_over_b"} <= set(rows[0]):
-        raise ValueError(f"{path}: expected an IDA table with columns pga_g, status, d_over_b")
-    status = {float(r["pga_g"]): r["status"] for r in rows}
-    return status, {float(r["pga_g"]): float(r["d_over_b"] or "nan") for r in rows}
-
-
 def history_facts(case, args, pga_g, history):
     """What does not change along one history: its HEAD, from a command line and its outcome."""
     given = case["model"], args.record, args.direction, pga_g, history.status, history.dt_s

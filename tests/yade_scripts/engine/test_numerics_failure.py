@@ -10,7 +10,6 @@ from rocking.collapse.ida import branches, read_curve
 from yade_process import in_yade, resolved
 
 from smdof.chain import floor_motions
-from yade_scripts.commands.search import collapse_bounds
 
 CASES = "numerics_cases"
 yade = pytest.mark.yade
@@ -137,8 +136,3 @@ def test_failed_rows_are_neither_drawn_nor_counted_as_collapse(tmp_path):
     assert list(fell["pga_g"]) == [0.3]
     row = probability.summary(None, curve, (), 0.01)
     assert (row["pga_safe_g"], row["pga_collapse_g"]) == (0.1, 0.3)
-
-
-def test_failed_runs_do_not_bound_the_collapse():
-    done = {0.1: "ok", 0.2: "failed", 0.4: "overturned", 0.5: "failed"}
-    assert collapse_bounds(done) == (0.1, 0.4)

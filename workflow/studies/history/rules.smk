@@ -54,7 +54,7 @@ use rule frames as history_frames with:
         pga=lambda w: w.pga,
 
 
-use rule animation_collapse as animation_history with:
+rule animation_history:
     input:
         frames=rules.history_frames.output[0],
         facts=rules.own_record.output.facts,
@@ -62,6 +62,10 @@ use rule animation_collapse as animation_history with:
         results("histories/{model}/{record}_{direction}_{pga}g.gif"),
     log:
         logs("animation_{model}_{record}_{direction}_{pga}g"),
+    params:
+        config=RUNS.params_of("facade", "return_wall", "w3"),
+    script:
+        "scripts/animation_history.py"
 
 
 # For ParaView: blocks as bodies, contacts with their forces, at every 0.02 s.

@@ -39,5 +39,4 @@ rule boundary:
             rules.fig07_models.output.png,
             rules.fig08_w3.output.png,
             rules.fig09_ida.output.png,
-            of_run(rules.animation_collapse.output, model=["W2", "W3"]),
         ),

@@ -5,7 +5,7 @@
 `restitution`
     What an impact leaves, of a simulation or of a test.
 `drawings`, `frames.smk`
-    A model in motion: its frames by YADE, drawn and animated.
+    A model in motion: its frames by YADE, and how they are drawn.
 `statements`
     What a published study says beside what a run measured.
 """

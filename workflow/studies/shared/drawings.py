@@ -161,11 +161,10 @@ def side_view(axis, scene, config, theta=0.0):
 
 
 class FrameLook(NamedTuple):
-    """How frames are drawn: displacement at the colours' end [m], limits in x and y, colours."""
+    """How frames are drawn: displacement at the colours' end [m], limits in x and y."""
 
     largest_m: float
     limits: tuple
-    cmap: str = "viridis"
     magnification: float = 1.0
 
 
@@ -173,7 +172,7 @@ def draw(axis, frames, frame, walls, config, look):
     """Draw one frame by a `FrameLook`; returns the collection, for a colour bar."""
     polygons, values = faces(frames, frame, walls, config, look.magnification)
     collection = PolyCollection(
-        polygons, array=values, cmap=look.cmap, edgecolors="0.75", linewidths=0.25
+        polygons, array=values, cmap="viridis", edgecolors="0.75", linewidths=0.25
     )
     collection.set_clim(0.0, look.largest_m)
     axis.add_collection(collection)

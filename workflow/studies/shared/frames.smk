@@ -1,4 +1,4 @@
-# Pictures of a model in motion: frames of a run of YADE, and the animation of its collapse.
+# Frames of a run of YADE, for pictures of a model in motion.
 
 
 def picture_record(run):
@@ -26,47 +26,3 @@ rule frames:
         "{params.yade} frames --scene {input.case:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction:q} --pga {params.pga:q}"
         " --fall 2 --output {output:q} 2> {log:q}"
-
-
-rule collapse_frames:
-    input:
-        case=rules.facade_case.output[0],
-        motion=of_run(rules.floor_motions.output[0], record=picture_record),
-        ida=of_run(
-            rules.ida.output[0],
-            record=picture_record,
-            direction=RUNS.key("pictures.direction"),
-        ),
-        modules=command_code("frames"),
-    output:
-        results("frames/{model}_collapse.json"),
-    log:
-        logs("collapse_frames_{model}"),
-    params:
-        yade=YADE,
-        record=lambda w: picture_record(w.run),
-        direction=value_of("pictures.direction"),
-        interval=value_of("pictures.frame_interval_s"),
-    shell:
-        "{params.yade} frames --scene {input.case:q} --motion {input.motion:q}"
-        " --record {params.record:q} --direction {params.direction:q} --collapse {input.ida:q}"
-        " --interval {params.interval:q} --fall 6 --output {output:q} 2> {log:q}"
-
-
-rule animation_collapse:
-    input:
-        frames=rules.collapse_frames.output[0],
-        facts=of_run(rules.own_record.output.facts, record=picture_record),
-    output:
-        shown(
-            results("figures/collapse_{model}.gif"),
-            "animation",
-            "Boundary conditions",
-            "collapse of {model}",
-        ),
-    log:
-        logs("animation_{model}"),
-    params:
-        config=RUNS.params_of("facade", "return_wall", "w3", "pictures"),
-    script:
-        str(STUDIES / "shared" / "scripts" / "animation_collapse.py")

@@ -1,16 +1,13 @@
 """Entry point: poses of all blocks through one run, for pictures and animations.
 
     python3 yade_scripts frames --scene cases/W2.json --motion smdof/RRS228_4dof.csv
-        --record RRS228 --direction neg --pga 0.2 --interval 0.02 --output frames.json
-        [--collapse ida/W2/RRS228_neg.csv] [--fall 6] [--until 10] [--contacts]
+        --record RRS228 --direction neg --pga 0.2 --output frames.json [--fall 2] [--contacts]
 
-With --collapse the intensity is the lowest one of that table that overturned. The poses
-are YADE's state at each frame: nothing is drawn that was not computed. With --contacts the
-velocities of the blocks and the forces of their contacts are kept too.
+The poses are YADE's state at each frame: nothing is drawn that was not computed. With --contacts
+the velocities of the blocks and the forces of their contacts are kept too.
 """
 
 import json
-import math
 from dataclasses import replace
 from typing import Any
 
@@ -20,6 +17,8 @@ from yade_scripts.commands import command, shaking
 from yade_scripts.engine import adapter, balance, loop
 from yade_scripts.engine.poses import planar_turn
 from yade_scripts.files import write_atomic
+
+INTERVAL_S = 0.02  # between frames
 
 
 class Camera:
@@ -124,24 +123,20 @@ class Camera:
 def main(arguments=None):
     """Parse the command line, run, write the frames; return the exit status."""
     parser = command.parser(__doc__, *command.CURVE, output="frames to write (JSON)")
-    command.add_intensity(parser)
-    parser.add_argument("--interval", type=float, default=0.02, help="between frames [s]")
+    parser.add_argument("--pga", type=float, required=True, help="intensity [g]")
     parser.add_argument("--fall", type=float, default=1.0, help="d/b at which to stop")
     parser.add_argument("--contacts", action="store_true", help="keep forces and velocities")
-    parser.add_argument("--until", type=float, default=math.inf, help="end of the film [s]")
     args = parser.parse_args(arguments)
-    pga_g = command.intensity(args)
     case, time_s, columns = command.opened(args)
     adapter.load_yade()
-    shaken = shaking.of_case(case, time_s, columns, args.direction, pga_g)
-    limit_s = min(shaken.rules.limit_s, args.until)
+    shaken = shaking.of_case(case, time_s, columns, args.direction, args.pga)
     shaken = replace(
         shaken,
-        rules=replace(shaken.rules, overturn_ratio=args.fall, limit_s=limit_s),
-        sample_s=min(args.interval, shaken.sample_s),
+        rules=replace(shaken.rules, overturn_ratio=args.fall),
+        sample_s=min(INTERVAL_S, shaken.sample_s),
     )
-    camera = Camera(shaken.scene, args.interval, args.contacts)
+    camera = Camera(shaken.scene, INTERVAL_S, args.contacts)
     history = shaken.run(setup=camera.attach)
     facts = {"model": case["model"], "record": args.record, "direction": args.direction}
-    camera.write(args.output, history, pga_g=pga_g, **facts)
+    camera.write(args.output, history, pga_g=args.pga, **facts)
     return 0

@@ -1,4 +1,4 @@
-"""Animation of a collapse, from YADE's state, with the façade's displacement beside it (GIF)."""
+"""Animation of a history, from YADE's state, with the façade's displacement beside it (GIF)."""
 
 import json
 
