@@ -6,19 +6,26 @@ fallen where a storey comes to `smdof.fallen_drift_ratio`.
 
 import numpy as np
 import pandas as pd
-from rocking.stations import FEWEST
 
+from studies.assess import dynamic_answer
 from studies.assess.comparison import EXACT
-from studies.assess.dynamic_answer import CONFIDENCE
-from studies.shared.fragility import bootstrap, brackets_about, fit
+from studies.shared.fragility import brackets_about, fit
 
 COLUMNS = ["model", "curves", "stations", "building_median_g", "building_dispersion"]
 COLUMNS += ["building_fell_at_demand", "building_probability", "building_low", "building_high"]
 COLUMNS += ["building_first", "facade_median_g", "beyond_building"]
+OF_BUILDING = {  # columns by keys of `dynamic_answer.answer`
+    "median_pga_g": "building_median_g",
+    "dispersion": "building_dispersion",
+    "fell_at_demand": "building_fell_at_demand",
+    "probability": "building_probability",
+    "probability_low": "building_low",
+    "probability_high": "building_high",
+}
 
 
 def answer(table, stations, demand_g, resamples, seed):
-    """What the building does at the demand, beside the façade: a row of COLUMNS, None if elastic.
+    """What the building does at the demand, beside the façade: a row with COLUMNS, None if elastic.
 
     Parameters
     ----------
@@ -35,32 +42,21 @@ def answer(table, stations, demand_g, resamples, seed):
     `beyond_building` is 1 where the façade's median lies beyond the building's: it is then the
     median of a façade whose building is down.
     """
-    known = table["building_max_g"].notna()
-    if not known.any():
+    if not table["building_max_g"].notna().any():
         return None
     building, facade = table["pga_building_g"], table["pga_median_g"]
-    low, high = brackets_about(building, table["building_max_g"], EXACT)
-    found, place = fit(low, high), table["record"].map(stations)
+    alike = table.assign(pga_median_g=building, pga_max_g=table["building_max_g"], runs_planar=0)
+    found, _, _ = dynamic_answer.answer(alike, stations, demand_g, {}, resamples, seed)
+    if len(table) == 1:  # which has a collapse and no median, as the façade's
+        found["median_pga_g"] = np.nan
     own = fit(*brackets_about(facade, table["pga_max_g"], EXACT)).median
     first = building.fillna(np.inf) < facade.fillna(np.inf)
-    row = {
-        "model": table["model"].iloc[0],
-        "curves": len(table),
-        "stations": place.nunique(),
-        "building_median_g": found.median,
-        "building_dispersion": found.dispersion,
-        "building_fell_at_demand": int((building <= demand_g).sum()),
-        **dict.fromkeys(("building_probability", "building_low", "building_high"), np.nan),
+    return {
+        **{OF_BUILDING.get(key, key): value for key, value in found.items()},
         "building_first": float(first.mean()),
         "facade_median_g": own,
-        "beyond_building": float(own > found.median),
+        "beyond_building": float(own > found["median_pga_g"]),
     }
-    if place.nunique() >= FEWEST and np.isfinite(found.median):
-        draws = bootstrap(low, high, place, resamples, seed)
-        row["building_probability"] = float(found.probability(demand_g))
-        ends = draws.band([demand_g], CONFIDENCE)
-        (row["building_low"],), (row["building_high"],) = ends
-    return row
 
 
 def answers(collapse, demanded, *given):

@@ -56,6 +56,14 @@ def test_a_building_that_never_falls_is_not_first():
     assert row["beyond_building"] == 0.0
 
 
+def test_one_curve_has_a_collapse_and_no_median():
+    (row,) = rows_of(np.array([0.3]), np.array([0.1])).to_dict("records")
+    assert row["building_fell_at_demand"] == 1
+    assert row["building_first"] == 1.0
+    assert np.isnan([row["building_median_g"], row["building_probability"]]).all()
+    assert row["beyond_building"] == 0.0
+
+
 def test_page_1_marks_a_facade_beyond_its_building_and_is_silent_of_an_elastic_one():
     beyond = building_first.said(data_of(rows_of(np.full(9, 0.4), BUILDING)))
     assert "comes to 0.5 % of drift with a probability of 50 % (W2m)" in beyond
