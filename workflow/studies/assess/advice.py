@@ -6,7 +6,6 @@ from studies.assess.code_tables import DAMAGED_KEYS
 from studies.assess.dynamic_check import LEAST_DRAWS, surely
 from studies.assess.verdict import as_stated, deciding, gives_way
 
-THINNER = 0.99  # of the ratio of a thinner wall that a thicker one falls short of
 OTHERS = {"en": "eurocode"}  # keys by the first part of a check's key
 
 
@@ -25,23 +24,6 @@ def damage(sensitivity, mechanisms, demand_g, say=SAY):
     damping = next(damping for damping, key in DAMAGED_KEYS.items() if key == worst["key"])
     about = {"factor": worst["factor"], "damping": damping, "share": worst["ratio"]}
     return say("advice.damage", **about)
-
-
-def thinner_is_better(sensitivity, say=SAY):
-    """A line where the check allows a thinner wall more than the next thicker one; else nothing.
-
-    Of the sensitivity's factors in turn the two between which it falls most. d_SLV = 0.4 d0 grows
-    with the thickness, and so passes the displacement up to which a tie or an anchor holds: there
-    the curve has lost it.
-    """
-    slv = sensitivity["check"].isin(("slv_ground", "slv_height"))
-    rows = sensitivity[slv & (sensitivity["key"] == "facade.thickness_m")]
-    ratio = rows.groupby("factor")["ratio"].min().sort_index()
-    grows = (ratio.shift(-1) / ratio).iloc[:-1].to_numpy()
-    if not len(grows) or grows.min() >= THINNER:
-        return ""
-    (thin, low), (thick, high) = list(ratio.items())[grows.argmin() :][:2]
-    return say("advice.thinner", thin=thin, of_thin=low, thick=thick, of_thick=high)
 
 
 def next_steps(tables, *more, say=SAY):

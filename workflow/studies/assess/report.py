@@ -283,8 +283,7 @@ def next_steps(data):
     if data.fit is not None and not data.fit[2]:
         misfit = say("advice.misfit")
     worse = advice.damage(t["code_sensitivity"], t["mechanisms"], data.demand_g, say)
-    thinner = advice.thinner_is_better(t["code_sensitivity"], say)
-    return advice.next_steps(t, worse, thinner, known, misfit, say=say)
+    return advice.next_steps(t, worse, known, misfit, say=say)
 
 
 def fragility(data):

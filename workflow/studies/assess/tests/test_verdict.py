@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pandas as pd
 import pytest
-from studies.assess.advice import damage, next_steps, thinner_is_better
+from studies.assess.advice import damage, next_steps
 from studies.assess.catalogue import SAY
 from studies.assess.names import PLACES
 from studies.assess.verdict import (
@@ -235,26 +235,6 @@ def test_the_capacity_has_a_ratio_and_a_return_period():
     assert capacity(stated, 0.2, ("at", 123.0)).endswith("a return period of 123 years.")
     assert "of less than 30 years." in capacity(stated, 0.2, ("below", 30.0))
     assert "ζE = 0.50" in capacity(stated, 0.2, None)
-
-
-def test_a_fall_between_two_thicknesses_is_told_where_the_thickest_is_allowed_most():
-    ratios = [(0.8, 0.8), (0.95, 0.9), (1.05, 0.6), (1.2, 1.1)]
-    rows = [("facade.thickness_m", factor, "slv_height", ratio) for factor, ratio in ratios]
-    line = thinner_is_better(pd.DataFrame(rows, columns=["key", "factor", "check", "ratio"]))
-    assert "at 0.95 times it is passed up to 90 %" in line
-    assert "at 1.05 times up to 60 %" in line
-
-
-@pytest.mark.parametrize(("thick", "said"), [(0.7, True), (1.1, False)])
-def test_a_thicker_wall_that_is_allowed_less_is_told(thick, said):
-    ratios = [(0.95, "slv_ground", 1.0), (0.95, "slv_height", 0.9), (1.05, "slv_height", thick)]
-    rows = [("facade.thickness_m", *one) for one in [*ratios, (1.05, "slv_ground", 1.2)]]
-    table = pd.DataFrame(rows, columns=["key", "factor", "check", "ratio"])
-    line = thinner_is_better(table)
-    assert bool(line) is said
-    if said:
-        assert "at 0.95 times it is passed up to 90 %" in line
-        assert "at 1.05 times up to 70 %" in line
 
 
 def test_the_rate_rests_on_the_model_that_governs_or_else_on_the_last():
