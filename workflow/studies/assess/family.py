@@ -300,15 +300,13 @@ class Family:
     def _leaned(self, masses):
         return [(w, *self.leaned_point((y, z))) for w, y, z in masses]
 
-    def corner(self, side, foot_m=None):
+    def corner(self, side, foot_m):
         """A corner that turns about the bisector's normal through its outer edge.
 
-        None takes the foot at which it is weakest. The crack leaves the edge at the foot and climbs
-        at `corner_crack_deg` from the vertical along both walls; displacements stay parallel to the
-        bisector's plane. Of façade and return wall, the return wall without openings.
+        The crack leaves the edge at the foot and climbs at `corner_crack_deg` from the vertical
+        along both walls; displacements stay parallel to the bisector's plane. Of façade and return
+        wall, the return wall without openings.
         """
-        if foot_m is None:
-            (foot_m,) = (one.foot_m for one in weakest.corners(self) if one.side == side)
         masses, inset = self.corner_masses(side, foot_m), self.settings["hinge_inset_m"]
         thrust = self.settings["hip_thrust_kn"]
         hinge, top = (-inset, foot_m), (-inset, self.height_m)
@@ -367,10 +365,6 @@ class Family:
         """`Site` of every mechanism, the whole façade first."""
         plain = weakest.parts(self) + weakest.spans(self) + weakest.corners(self)
         return plain + repertory.sites(self)
-
-    def spans(self):
-        """Vertical bending between every two levels that hold, where it falls."""
-        return [self.at(site) for site in weakest.spans(self)]
 
     def all(self):
         """Every mechanism, the whole façade first; a ValueError where one falls at rest."""

@@ -4,7 +4,7 @@ Italian terms are those of the Circolare and of the practice that follows it (`c
 """
 
 from studies.assess.catalogue import SAY
-from studies.assess.sites import CORNERS, WHOLE_PART
+from studies.assess.sites import CORNERS, WHOLE_PART, known
 
 COMPOUND, HORIZONTAL, PART_WIDTH = "compound", "horizontal", "part_width"
 OVERTURNING, BENDING, CORNER = "overturning", "bending", "corner"
@@ -12,11 +12,6 @@ BEYOND = (COMPOUND, HORIZONTAL, PART_WIDTH)  # kinds of `assessment.mechanisms`
 BETWEEN = "between"  # begins the part of a mechanism whose foot lies between two changes
 AND = "+"  # between keys of what is at a foot
 PLACES = ("foot_m", "hinge_m", "held_m", "crack_deg", "left_m", "right_m")
-
-
-def known(value):
-    """A number, or None where a table has none."""
-    return None if value is None or value != value else float(value)
 
 
 def kind_of(one):

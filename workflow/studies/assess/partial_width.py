@@ -35,11 +35,7 @@ def lines(family):
 
 
 def within(family, left_m, right_m):
-    """What holds between two lines, as `Held`: rods strictly inside, anchors of floors by width.
-
-    Rows of a family that the configuration does not state, as one added for a trial, count by
-    width.
-    """
+    """What holds between two lines, as `Held`: rods strictly inside, anchors of floors by width."""
     width = family.masonry.width_m
     share, found = (right_m - left_m) / width, []
     shares = [

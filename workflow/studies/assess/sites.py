@@ -28,12 +28,12 @@ def site_of(candidate):
     """`Site` of a `Candidate`, or of a row of a table with its columns."""
     at_foot = getattr(candidate, "at_foot", "")
     at_foot = at_foot if isinstance(at_foot, str) else ""
-    hinge_m, held_m = map(_known, (candidate.hinge_m, candidate.held_m))
+    hinge_m, held_m = map(known, (candidate.hinge_m, candidate.held_m))
     foot_m, side = float(candidate.foot_m), int(candidate.side)
-    more = {key: _known(getattr(candidate, key, None)) for key in EXTENT}
+    more = {key: known(getattr(candidate, key, None)) for key in EXTENT}
     return Site(candidate.part, foot_m, hinge_m, held_m, side, at_foot, **more)
 
 
-def _known(value):
-    """A height as a number; None where a table has none."""
+def known(value):
+    """A number, or None where a table has none."""
     return None if value is None or value != value else float(value)

@@ -8,6 +8,7 @@ from drawn_facades import several
 from plain_facade import PlainFacade, overturning
 from rocking.mechanics.blocks import Held
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
+from studies.assess import weakest
 from studies.assess.code_checks import governing
 from studies.assess.code_spectrum import CodeDemand
 from studies.assess.family import Family
@@ -94,7 +95,7 @@ def test_a_new_kind_of_hold_brings_its_foot_along():
     family.pulls.append(Held(50e3, 3.7, 0.1))
     assert set(family.feet()) == {0.0, 3.7}
     assert family.levels() == [0.0, 3.7]
-    assert [one.held_m for one in family.spans()] == [3.7]
+    assert [site.held_m for site in weakest.spans(family)] == [3.7]
 
 
 def test_bending_past_a_weak_row_by_virtual_work():
