@@ -95,7 +95,7 @@ def read(text):
 
 def azimuth(label):
     """Direction [°] in which a name of PEER's ends ("228", "A-STU270", "HVSC S26W" has none)."""
-    found = re.fullmatch(r"(?:.*?[^\d.])?(\d{1,3})(\s*(?:deg\w*|°))?", label.strip(), re.I)
-    if not found or int(found[1]) > 360:
+    match = re.fullmatch(r"(?:.*?[^\d.])?(\d{1,3})(\s*(?:deg\w*|°))?", label.strip(), re.I)
+    if not match or int(match[1]) > 360:
         return None
-    return int(found[1]) if found[2] or len(found[1]) == 3 or found[1] == label else None
+    return int(match[1]) if match[2] or len(match[1]) == 3 or match[1] == label else None

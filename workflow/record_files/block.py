@@ -63,12 +63,12 @@ def cells(line, separator, decimal_comma):
     """Cells of a line, with decimal points, without an empty one at the end."""
     if '"' in line or "'" in line:
         line = _QUOTED.sub(r"\1", line)
-    found = line.split(separator)
+    words = line.split(separator)
     if separator:
-        found = [cell.strip() for cell in found]
-        while len(found) > 1 and not found[-1]:
-            found.pop()
-    return [cell.replace(",", ".") for cell in found] if decimal_comma else found
+        words = [cell.strip() for cell in words]
+        while len(words) > 1 and not words[-1]:
+            words.pop()
+    return [cell.replace(",", ".") for cell in words] if decimal_comma else words
 
 
 def read_block(text):
@@ -98,10 +98,10 @@ def read_block(text):
         if words is not None:
             gaps[len(rows)] = words
             words = None
-        found = cells(line, separator, comma)
-        if len(rows) < 2 and not all(map(_PLAIN.fullmatch, found)):  # a count and a step
-            found = line.replace(";", " ").split() if is_numbers(line) else found
-        rows.append(_checked(text, number, found))
+        row = cells(line, separator, comma)
+        if len(rows) < 2 and not all(map(_PLAIN.fullmatch, row)):  # a count and a step
+            row = line.replace(";", " ").split() if is_numbers(line) else row
+        rows.append(_checked(text, number, row))
         numbers.append(number)
     return NumberBlock(lines[: first - 1], rows, numbers, gaps, separator, comma)
 
@@ -138,9 +138,9 @@ def _first(text):
     return first
 
 
-def _differ(head, one, other):
+def _differ(head, number, other):
     """Tell whether two lines of numbers have another form: whole numbers, or another count."""
-    a, b = head[one - 1].split(), head[other - 1].split()
+    a, b = head[number - 1].split(), head[other - 1].split()
     return len(a) != len(b) or not any("." in word or "," in word for word in a)
 
 
@@ -164,11 +164,11 @@ def _no_number(text, number, line, separator, comma):
     return text.error(number, f"expected a number, found {line.strip()[:40]!r}")
 
 
-def _checked(text, number, found):
-    for cell in found:
+def _checked(text, number, row):
+    for cell in row:
         if not _PLAIN.fullmatch(cell):
             parse_number(text, number, cell, "a number")
-    return found
+    return row
 
 
 _PLAIN = re.compile(NUMBER, re.ASCII)
@@ -190,15 +190,15 @@ def values(text, rows, lines):
     count = sum(map(len, rows))
     if count > 4 * MAX_SAMPLES:
         raise text.error(lines[0], f"more than {4 * MAX_SAMPLES} numbers")
-    found = np.fromiter((float(cell) for row in rows for cell in row), float, count)
-    bad = np.flatnonzero(~np.isfinite(found))
+    numbers = np.fromiter((float(cell) for row in rows for cell in row), float, count)
+    bad = np.flatnonzero(~np.isfinite(numbers))
     if bad.size:
         ends = np.cumsum([len(row) for row in rows])
         raise text.error(
             lines[int(np.searchsorted(ends, bad[0], side="right"))],
             "a number too large for double precision",
         )
-    return found
+    return numbers
 
 
 @lru_cache(maxsize=1)

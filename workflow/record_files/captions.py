@@ -31,21 +31,21 @@ def labels_of(block, columns):
             re.split(r"\s{2,}", words.strip()),
             *(words.split(m) for m in marks),
         ]
-        found = next((c for c in split if len(c) == columns), None)
-        if found is None:
+        labels = next((c for c in split if len(c) == columns), None)
+        if labels is None:
             if place and re.search(r"\w", line):
                 break
             continue
-        found = [cell.strip("\"' ")[:80] for cell in found]
-        if columns > 1 and any(re.search(r"[=:]|^[^a-z%°]+$|^of$", c, re.I) for c in found if c):
+        labels = [cell.strip("\"' ")[:80] for cell in labels]
+        if columns > 1 and any(re.search(r"[=:]|^[^a-z%°]+$|^of$", c, re.I) for c in labels if c):
             break  # a sentence of as many words
         above = list(reversed(lines))[place + 1 :]
         if above and all(
-            heading_unit(c).unit or c.strip("()[]").lower() in TIME_UNITS for c in found
+            heading_unit(c).unit or c.strip("()[]").lower() in TIME_UNITS for c in labels
         ):
             for s in (block.separator, None):
                 names = [c.strip("\"' ") for c in above[0].lstrip("#%!*/ \t").split(s)]
                 if len(names) == columns:
-                    return [f"{n} [{u.strip('()[]')}]" for n, u in zip(names, found, strict=True)]
-        return found
+                    return [f"{n} [{u.strip('()[]')}]" for n, u in zip(names, labels, strict=True)]
+        return labels
     return [""] * columns

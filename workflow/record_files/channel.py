@@ -65,15 +65,15 @@ def channels(text, read_one):
     `read_one` takes the text and the line of a heading; it returns the channel, or None for one
     that is left aside, and the line after.
     """
-    found: list[Channel] = []
+    kept: list[Channel] = []
     line = 1
     while line <= len(text.lines):
         if not text.lines[line - 1].strip():
             line += 1
             continue
-        if len(found) == MAX_CHANNELS:
+        if len(kept) == MAX_CHANNELS:
             raise text.error(line, f"more than {MAX_CHANNELS} channels")
         channel, line = read_one(text, line)
         if channel:
-            found.append(channel)
-    return found
+            kept.append(channel)
+    return kept

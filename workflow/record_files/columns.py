@@ -25,83 +25,83 @@ SIDE_BY_SIDE = ("csv", "two-column", "columns")
 
 def read_columns(text):
     """Read time, then one or more channels; or channels without a time."""
-    found = _found(text, SIDE_BY_SIDE, as_columns=True)
-    if found is None or found.kind not in SIDE_BY_SIDE:
-        line = found.block.first if found else 1
+    file_layout = _found(text, SIDE_BY_SIDE, as_columns=True)
+    if file_layout is None or file_layout.kind not in SIDE_BY_SIDE:
+        line = file_layout.block.first if file_layout else 1
         raise text.error(line, "expected time and acceleration, two numbers a line")
-    return _channels(text, found)
+    return _channels(text, file_layout)
 
 
 def read_single(text):
     """Read one acceleration a line."""
-    found = _found(text, ("single-column",), as_columns=None)
-    if found is None or found.kind != "single-column":
-        line = found.block.first if found else 1
+    file_layout = _found(text, ("single-column",), as_columns=None)
+    if file_layout is None or file_layout.kind != "single-column":
+        line = file_layout.block.first if file_layout else 1
         raise text.error(line, "expected one number a line, the acceleration")
-    return _channels(text, found)
+    return _channels(text, file_layout)
 
 
 def read_wrapped(text):
     """Read accelerations several to a line, in the order of reading."""
-    found = _found(text, ("wrapped", "single-column"), as_columns=False)
-    if found is None or found.kind not in ("wrapped", "single-column"):
-        line = found.block.first if found else 1
+    file_layout = _found(text, ("wrapped", "single-column"), as_columns=False)
+    if file_layout is None or file_layout.kind not in ("wrapped", "single-column"):
+        line = file_layout.block.first if file_layout else 1
         raise text.error(line, "expected accelerations in a row, without a time")
-    return _channels(text, found)
+    return _channels(text, file_layout)
 
 
 def _found(text, kinds, as_columns):
     """`Layout` of a file as it looks; where that is another kind or open, as it is stated."""
     try:
-        found = once(text, layout)
+        file_layout = once(text, layout)
     except ValueError:
         return layout(text, as_columns)
-    return found if found and found.kind in kinds else layout(text, as_columns)
+    return file_layout if file_layout and file_layout.kind in kinds else layout(text, as_columns)
 
 
-def _channels(text, found):
-    heading = found.block.heading
-    captions = [label for label, _, _ in found.channels]
+def _channels(text, file_layout):
+    heading = file_layout.block.heading
+    captions = [label for label, _, _ in file_layout.channels]
     named = any(captions)
     said = stated_unit(heading[:-1] if named and len(captions) > 1 else heading)
     if not (said.unit or said.against):
         said = Said(stated_unit(heading).unit)
-    dt_s, rounding, choices = _step(text, found, heading)
-    single = len(found.channels) == 1
+    dt_s, rounding, choices = _step(text, file_layout, heading)
+    single = len(file_layout.channels) == 1
     return [
         Channel(
             label or ("1" if single else ""),
             np.ascontiguousarray(values),
             line,
             None,
-            one.unit,
+            stated.unit,
             dt_s,
             rounding,
             component=heading_component(label) if label else None,
-            against=one.against,
+            against=stated.against,
             steps=choices,
         )
-        for label, values, line in found.channels
-        for one in [_unit_of(label, said)]
+        for label, values, line in file_layout.channels
+        for stated in [_unit_of(label, said)]
     ]
 
 
 def _unit_of(label, said):
-    own = heading_unit(label) if label else Said()
-    return own if own.unit or own.against else said
+    of_label = heading_unit(label) if label else Said()
+    return of_label if of_label.unit or of_label.against else said
 
 
-def _step(text, found, heading):
+def _step(text, file_layout, heading):
     """Step [s], half a unit of its last digit, and steps that the heading states and differ."""
-    block, (_, declared) = found.block, found.declared
-    if found.time_s is None:
+    block, (_, declared) = file_layout.block, file_layout.declared
+    if file_layout.time_s is None:
         steps = [(declared, 0.0)] if declared else stated_steps(heading)
         if declared:
             _agree(text, block, declared, stated_steps(heading, sure=True))
         return (*steps[0], ()) if len(steps) == 1 else (None, 0.0, tuple(v for v, _ in steps))
-    label, cells = found.time
-    first = block.lines.index(found.channels[0][2])
-    per_line = max(round(len(found.time_s) / (len(block.lines) - first)), 1)
+    label, cells = file_layout.time
+    first = block.lines.index(file_layout.channels[0][2])
+    per_line = max(round(len(file_layout.time_s) / (len(block.lines) - first)), 1)
 
     def line_of(place):
         return block.lines[min(first + place // per_line, len(block.lines) - 1)]
@@ -110,7 +110,7 @@ def _step(text, found, heading):
     factor = TIME_UNITS.get(unit[1].strip().lower()) if unit else 1.0
     if factor is None and unit and unit_name(unit[1]) is None:
         raise text.error(block.first, f"time is in {unit[1][:20]!r}; expected seconds")
-    dt_s = uniform_step(text, found.time_s, cells, line_of) * (factor or 1.0)
+    dt_s = uniform_step(text, file_layout.time_s, cells, line_of) * (factor or 1.0)
     known = stated_steps(heading, sure=True) + ([(declared, 0.0)] if declared else [])
     _agree(text, block, dt_s, known)
     return float(f"{dt_s:.9g}"), 0.0, ()

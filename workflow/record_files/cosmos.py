@@ -38,10 +38,10 @@ def sniff(text):
 
 def read(text):
     """Read the acceleration of all channels."""
-    found = channels(text, _channel)
-    if not found:
+    accelerations = channels(text, _channel)
+    if not accelerations:
         raise text.error(len(text.lines), "no channel of acceleration in the file")
-    return found
+    return accelerations
 
 
 def _heading(text, line, kind):
@@ -71,7 +71,7 @@ def _channel(text, first):
     line = first + int(match[1])
     text.line(line, "the end of the text heading")
     stations = (_STATION.match(row[:200]) for row in text.lines[first - 1 : line - 1])
-    label = next((found[1] for found in stations if found), "")
+    label = next((station[1] for station in stations if station), "")
     _, line = _heading(text, line, "Integer")
     reals, line = _heading(text, line, "Real")
     comments = _COMMENTS.match(text.line(line, "comments or data"))
@@ -107,8 +107,8 @@ def _acceleration(text, line, reals, label, values, units):
         raise text.error(line, f"{len(reals)} real headers; expected at least 64")
     interval_ms = parse_number(text, reals[61][0], reals[61][1], "the sampling interval (real 62)")
     peak = parse_number(text, reals[63][0], reals[63][1], "the largest value (real 64)")
-    found = re.match(r"(\d{1,3})\s*deg", label, re.I)
-    azimuth = int(found[1]) if found else None
+    match = re.match(r"(\d{1,3})\s*deg", label, re.I)
+    azimuth = int(match[1]) if match else None
     dt_s = interval_ms / 1000 if interval_ms > 0 else None
     stated_peak = (abs(peak) if peak != UNKNOWN else None, 0.001, 0.0)
     return Channel(label, values, line + 1, azimuth, unit, dt_s, peak=stated_peak)

@@ -165,10 +165,10 @@ def _older_heading(text, first):
         lasts = _LENGTH.search(line)
         length_s = float(lasts[1]) if lasts else length_s
         if units:
-            found = stated_unit([re.sub(r"\bMAX\b.*", "", units[0], flags=re.I)])
-            if found.against:
-                raise text.error(number, f"{found.against}; expected an acceleration")
-            unit = found.unit
+            said = stated_unit([re.sub(r"\bMAX\b.*", "", units[0], flags=re.I)])
+            if said.against:
+                raise text.error(number, f"{said.against}; expected an acceleration")
+            unit = said.unit
         largest = _MAX.search(line)
         if largest and unit in ("g", "g/10"):
             factor = 10.0 if unit == "g/10" else 1.0
@@ -195,13 +195,13 @@ def _after_integers(text, number):
 def _reals(text, number):
     """The reals that are printed, and the line after them: their last line is short."""
     width = 13 if "E" in text.line(number, "reals").upper() else 10
-    found: list[float] = []
+    reals: list[float] = []
     for line in range(number, number + 10):
         row = text.line(line, "reals").rstrip()
         cells = [row[i : i + width] for i in range(0, len(row), width)]
-        found += [_number(cell) for cell in cells if len(cell) == width]
+        reals += [_number(cell) for cell in cells if len(cell) == width]
         if line > number and len(cells) <= 3:
-            return found, line + 1
+            return reals, line + 1
     raise text.error(number, f"expected {REALS} reals, the last two in a line of their own")
 
 

@@ -127,23 +127,23 @@ def stated_unit(lines):
     """`Said` of the lines: after a word for unit, after "acceleration", in brackets, by itself."""
     lines = [plain(line[:LONG]) for line in lines]
     for of_line in (_after_word, _of_acceleration, _quantity, _in_a_field):
-        found = [said for line in lines for said in of_line(line) if said.unit or said.against]
-        units = dict.fromkeys(said.unit for said in found if said.unit)
+        statements = [said for line in lines for said in of_line(line) if said.unit or said.against]
+        units = dict.fromkeys(said.unit for said in statements if said.unit)
         if len(units) > 1:
             return Said(None, f"the heading states {' and '.join(units)}")
         if units:
             return Said(next(iter(units)))
-        if found:
-            return found[0]
+        if statements:
+            return statements[0]
     return Said()
 
 
 def _after_word(line):
     for word in _UNIT_WORD.finditer(line):
         rest = line[word.end() :]
-        found = _AFTER_WORD.search(rest[:60])
-        if found:
-            yield _scaled(rest[: found.start()], found[1], rest[found.end() :])
+        match = _AFTER_WORD.search(rest[:60])
+        if match:
+            yield _scaled(rest[: match.start()], match[1], rest[match.end() :])
             continue
         explicit = re.match(r"\W*(?:(?:of|are|is|in)\b|[:=])", rest)
         named = _STATED_WORD.match(rest) if explicit else None
@@ -161,24 +161,24 @@ def _scaled(before, words, after):
 
 
 def _of_acceleration(line):
-    for found in _ACCELERATION_IN.finditer(line):
-        yield _scaled("", found[1], line[found.end() :])
+    for match in _ACCELERATION_IN.finditer(line):
+        yield _scaled("", match[1], line[match.end() :])
 
 
 def _quantity(line):
-    found = _QUANTITY.match(line)
-    return [Said(None, f"the heading says {found[1]!r}")] if found else []
+    match = _QUANTITY.match(line)
+    return [Said(None, f"the heading says {match[1]!r}")] if match else []
 
 
 def _in_a_field(line):
-    for found in _FIELD.finditer(line):
-        words = next(filter(None, found.groups()))
-        at_end = not re.search(r"\d", line[found.end() :])
+    for match in _FIELD.finditer(line):
+        words = next(filter(None, match.groups()))
+        at_end = not re.search(r"\d", line[match.end() :])
         if unit_name(words) or at_end:
-            yield _scaled("", words, line[found.end() :])
-    for found in _SURE.finditer(line):
-        if unit_name(found[1]):
-            yield Said(unit_name(found[1]))
+            yield _scaled("", words, line[match.end() :])
+    for match in _SURE.finditer(line):
+        if unit_name(match[1]):
+            yield Said(unit_name(match[1]))
 
 
 def heading_unit(heading):
@@ -225,9 +225,9 @@ def whole_numbers(lines):
 def stated_channels(lines):
     """Return the number of channels that the lines declare ("three components"), or 0."""
     for line in lines:
-        found = _CHANNELS.search(plain(line[:LONG]))
-        if found:
-            return int(found[1]) if found[1].isdigit() else _WORDS.get(found[1], 3)
+        match = _CHANNELS.search(plain(line[:LONG]))
+        if match:
+            return int(match[1]) if match[1].isdigit() else _WORDS.get(match[1], 3)
     return 0
 
 
@@ -257,8 +257,8 @@ def _strong(line):
             if value:
                 yield value
                 break
-    for found in _PER_SECOND.finditer(line):
-        value = _as_rate(found[1], "")
+    for match in _PER_SECOND.finditer(line):
+        value = _as_rate(match[1], "")
         if value:
             yield value
 
@@ -266,9 +266,9 @@ def _strong(line):
 def _value(rest, make):
     """First number after a word that can be what it says."""
     rest = rest[:80]
-    for found in re.finditer(_BARE.replace(",/-]", ",-]"), rest):
-        unit = rest[: found.start()] + " " + rest[found.end() :][:14]
-        value = make(found[1], unit)
+    for match in re.finditer(_BARE.replace(",/-]", ",-]"), rest):
+        unit = rest[: match.start()] + " " + rest[match.end() :][:14]
+        value = make(match[1], unit)
         if value:
             return value
     return None
@@ -292,10 +292,10 @@ def _as_rate(number, _):
 def _weak(line):
     if _OTHERWISE.search(line):
         return
-    for found in _HERTZ.finditer(line):
-        yield from filter(None, [_as_rate(found[1], "")])
-    for found in _SECONDS.finditer(line):
-        yield from filter(None, [_as_step(found[1], found[2])])
+    for match in _HERTZ.finditer(line):
+        yield from filter(None, [_as_rate(match[1], "")])
+    for match in _SECONDS.finditer(line):
+        yield from filter(None, [_as_step(match[1], match[2])])
 
 
 def _once(steps):

@@ -25,8 +25,8 @@ FEW_LINES = 30  # below it the places along a line differ by chance
 
 def kind_of(text):
     """Name of the format that a file looks like; empty where it has no line of numbers."""
-    found = once(text, layout)
-    return found.kind if found else ""
+    file_layout = once(text, layout)
+    return file_layout.kind if file_layout else ""
 
 
 @np.errstate(
@@ -45,9 +45,9 @@ def layout(text, as_columns=None):
     declaration(look)
     look.x = values(text, look.rows, look.lines)
     for decide in (_interleaved, _segments, _table, _in_a_row):
-        found = decide(look, as_columns)
-        if found:
-            return found
+        file_layout = decide(look, as_columns)
+        if file_layout:
+            return file_layout
     raise AssertionError("the last one decides")
 
 

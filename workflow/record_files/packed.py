@@ -78,11 +78,11 @@ def read(text):
     words: dict[str, str] = {}
     starts: list[int] = []
     for number, line in enumerate(text.lines, 1):
-        found = _KEY.match(line)
+        match = _KEY.match(line)
         if line.startswith("motion: "):
             starts.append(number)
-        elif not starts and found:
-            words[found[1]] = found[2].strip()
+        elif not starts and match:
+            words[match[1]] = match[2].strip()
         elif not starts and number > 1:
             raise text.error(number, f"expected 'motion: …', found {line[:40]!r}")
     for key in ("source", "licence", "motions"):

@@ -39,7 +39,7 @@ def _detect(text):
 
 def nearest(word, words):
     """Return "; did you mean 'x'?" for the nearest word, in any case, or the whole list."""
-    folded = {one.casefold(): one for one in words}
+    folded = {name.casefold(): name for name in words}
     close = difflib.get_close_matches(word.casefold(), list(folded), n=1, cutoff=0.5)
     if close:
         return f"; did you mean {folded[close[0]]!r}?"
@@ -66,18 +66,18 @@ def choose_component(channels, component, path):
         )
     word = " ".join(str(component).split()).lower()
     number = re.fullmatch(r"#?([0-9]{1,3})", word)
-    found = [c for c in channels if c.label and " ".join(c.label.split()).lower() == word]
-    if number and not found and not word.startswith("#"):
+    candidates = [c for c in channels if c.label and " ".join(c.label.split()).lower() == word]
+    if number and not candidates and not word.startswith("#"):
         known = [c for c in channels if c.azimuth_deg is not None]
-        found = [c for c in known if c.azimuth_deg % 360 == int(number[1]) % 360]
-    if number and not found and 1 <= int(number[1]) <= len(channels):
-        found = [channels[int(number[1]) - 1]]
-    if len(found) != 1:
-        problem = "fits more than one of" if found else "is none of"
+        candidates = [c for c in known if c.azimuth_deg % 360 == int(number[1]) % 360]
+    if number and not candidates and 1 <= int(number[1]) <= len(channels):
+        candidates = [channels[int(number[1]) - 1]]
+    if len(candidates) != 1:
+        problem = "fits more than one of" if candidates else "is none of"
         raise RecordError.at(
             path, channels[0].line, f"component {str(component)[:40]!r} {problem} {have}"
         )
-    return found[0]
+    return candidates[0]
 
 
 def read_record(path, *, name=None, format=None, component=None, dt_s=None, units=None):
@@ -178,25 +178,25 @@ def _units(channel, stated, text):
 
 def _step(channel, stated, text):
     # Where the header rounds coarsely, the stated step is the better one.
-    own, step = channel.dt_s, channel.dt_s if stated is None else stated
+    file_dt_s, step = channel.dt_s, channel.dt_s if stated is None else stated
     if channel.steps and (stated is None or not _is_one_of(stated, channel.steps)):
-        said = " and ".join(f"{one:g} s" for one in channel.steps)
+        said = " and ".join(f"{dt_s:g} s" for dt_s in channel.steps)
         asked = "state dt_s" if stated is None else f"dt_s {stated:g} is stated"
         raise text.error(channel.line, f"the heading states time steps of {said}; {asked}")
     if step is None:
         raise text.error(channel.line, "the file states no time step; state dt_s")
-    if own is None:
+    if file_dt_s is None:
         if channel.values[0] == stated:
             raise text.error(
                 channel.line,
                 f"the first number is {stated:g}, the stated step, and would be read as an "
                 f"acceleration; write 'DT= {stated:g}' there, or delete it",
             )
-    elif stated is not None and not abs(stated - own) <= max(
-        1e-3 * own, min(channel.dt_rounding_s, COARSEST * own)
+    elif stated is not None and not abs(stated - file_dt_s) <= max(
+        1e-3 * file_dt_s, min(channel.dt_rounding_s, COARSEST * file_dt_s)
     ):
         raise text.error(
-            channel.line, f"the file's time step is {own:g} s, but dt_s {stated:g} is stated"
+            channel.line, f"the file's time step is {file_dt_s:g} s, but dt_s {stated:g} is stated"
         )
     if not MIN_DT_S <= step <= MAX_DT_S:
         raise text.error(
@@ -206,7 +206,7 @@ def _step(channel, stated, text):
 
 
 def _is_one_of(stated, steps):
-    return any(abs(stated - one) <= 0.01 * one for one in steps)
+    return any(abs(stated - dt_s) <= 0.01 * dt_s for dt_s in steps)
 
 
 def _check_peak(channel, text):

@@ -33,10 +33,10 @@ def _starred(text):
 
 def read(text):
     """Read the file's one channel."""
-    found = _KIND.match(text.lines[0])
-    if not found:
+    match = _KIND.match(text.lines[0])
+    if not match:
         raise text.error(1, "expected '2 CORRECTED ACCELEROGRAM'")
-    kind = found[1].upper()
+    kind = match[1].upper()
     if "ACCELEROGRAM" not in kind and kind != "UNKNOWN":
         raise text.error(1, f"{kind.lower()}; expected an accelerogram")
     acceleration = kind != "UNKNOWN" or re.search(r"\bpk\s+acc", "\n".join(text.lines[:11]), re.I)

@@ -63,8 +63,8 @@ def plain(text):
 def _kind(text):
     """Name of the spelling that a word is, and its match; (None, None) for no unit."""
     word = " ".join(plain(text).split()).strip(" .,;:")
-    found = ((name, form.fullmatch(word)) for name, form in _WHOLE.items())
-    return next(((name, match) for name, match in found if match), (None, None))
+    matches = ((name, form.fullmatch(word)) for name, form in _WHOLE.items())
+    return next(((name, match) for name, match in matches if match), (None, None))
 
 
 def unit_name(text):
