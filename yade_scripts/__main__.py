@@ -26,10 +26,10 @@ STUDIES = next(HERE.parent.glob("workflow/studies"), HERE.parent / "studies")
 def commands():
     """Commands by name, sorted, with the study whose it is, or None: modules that have a `main`."""
     files = [*HERE.glob("commands/*.py"), *STUDIES.glob("*/yade/*.py")]
-    found = {path.stem: path for path in sorted(files) if "\ndef main(" in path.read_text()}
+    paths = {path.stem: path for path in sorted(files) if "\ndef main(" in path.read_text()}
     return {
-        name: found[name].parts[-3] if STUDIES in found[name].parents else None
-        for name in sorted(found)
+        name: paths[name].parts[-3] if STUDIES in paths[name].parents else None
+        for name in sorted(paths)
     }
 
 

@@ -21,14 +21,14 @@ def read_json(path, *keys):
     if os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path):
         raise ValueError(f"{path}: neither a file nor a link to one")  # a pipe would be waited for
     try:
-        found = json.loads(Path(path).read_text("utf-8"))
+        content = json.loads(Path(path).read_text("utf-8"))
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{path}: not JSON ({error})") from None
-    if keys and not isinstance(found, dict):
+    if keys and not isinstance(content, dict):
         raise ValueError(f"{path}: expected an object with {listed(keys)}")
-    if missing := [key for key in keys if key not in found]:
+    if missing := [key for key in keys if key not in content]:
         raise ValueError(f"{path}: no {listed(missing)}; expected {listed(keys)}")
-    return found
+    return content
 
 
 def read_case(path):

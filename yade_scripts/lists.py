@@ -19,11 +19,11 @@ def one_of(names, name=None, most=MOST):
 
     Of few names all, "expected one of a, b"; of many the nearest, "did you mean 'a'?".
     """
-    names = [str(one) for one in names]
+    names = [str(word) for word in names]
     near = None
     if name is not None and len(names) > most and len(str(name)) <= LONGEST:
-        found = difflib.get_close_matches(str(name), names[:TRIED], 1, 0.7)
-        near = next(iter(found), None)
+        close = difflib.get_close_matches(str(name), names[:TRIED], 1, 0.7)
+        near = next(iter(close), None)
     return f"did you mean '{near}'?" if near else f"expected one of {listed(names, most)}"
 
 

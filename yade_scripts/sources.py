@@ -43,12 +43,12 @@ def names(files):
 
     The script of a rule is left out, wherever it lies: to import it would run it.
     """
-    found = []
+    modules = []
     for path in map(Path, files):
         package = _package(path)
         if package and path.suffix == ".py" and (path.parent / "__init__.py").is_file():
-            found.append(package if path.stem == "__init__" else f"{package}.{path.stem}")
-    return sorted(found)
+            modules.append(package if path.stem == "__init__" else f"{package}.{path.stem}")
+    return sorted(modules)
 
 
 def _statements(node):
@@ -71,11 +71,11 @@ def imports(path):
             above = parts[: len(parts) - node.level + 1] if node.level else []
             module = ".".join([*above, *([node.module] if node.module else [])])
             names.update(f"{module}.{alias.name}" for alias in node.names)
-    found: set[Path | None] = set()
+    files: set[Path | None] = set()
     for name in names:
         parts = name.split(".")
-        found.update(_file(".".join(parts[: i + 1])) for i in range(len(parts)))
-    return frozenset(found - {None, path})
+        files.update(_file(".".join(parts[: i + 1])) for i in range(len(parts)))
+    return frozenset(files - {None, path})
 
 
 @cache

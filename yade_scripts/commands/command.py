@@ -18,13 +18,13 @@ WORDS = {
 }
 
 
-def parser(doc, *words, **own):
+def parser(doc, *words, **options):
     """Parser of a command, described by the first line of its documentation.
 
-    `words` are required options of WORDS, `own` those of this command alone, with what each is.
+    `words` are required options of WORDS, `options` those of this command alone, with what each is.
     """
     made = argparse.ArgumentParser(description=doc.splitlines()[0])
-    for word, text in ({word: WORDS[word] for word in words} | own).items():
+    for word, text in ({word: WORDS[word] for word in words} | options).items():
         choices = tuple(SIGNS) if word == "direction" else None
         made.add_argument(f"--{word}", required=True, choices=choices, help=text)
     return made

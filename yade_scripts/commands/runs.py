@@ -54,19 +54,19 @@ def motion_of(case, scene):
 def run_case(case, journal, say):
     """Rows of one case."""
     scene = read_case(case["scene"]) if isinstance(case["scene"], str) else case["scene"]
-    own = {**scene, **case.get("changes", {})}
-    time_s, columns, before = motion_of(case, own)
+    changed = {**scene, **case.get("changes", {})}
+    time_s, columns, before = motion_of(case, changed)
     record, direction = case["record"], case["direction"]
-    runner = Runner(own, time_s, columns, record, direction, journal, say, before)
+    runner = Runner(changed, time_s, columns, record, direction, journal, say, before)
     rows: list[dict] = []
     about = case.get("about", {})
     for pga_g in case["pga_g"]:
         if case.get("realisations"):
-            found = run_realisations(runner, pga_g, perturb.draw_realisations(own["ensemble"]))
+            runs = run_realisations(runner, pga_g, perturb.draw_realisations(changed["ensemble"]))
         else:
-            found = [runner.run(pga_g)]
-            say(f"{pga_g:.4g} g {found[0]['status']}")
-        rows += [{**about, **row} for row in found]
+            runs = [runner.run(pga_g)]
+            say(f"{pga_g:.4g} g {runs[0]['status']}")
+        rows += [{**about, **row} for row in runs]
     return rows
 
 
@@ -89,8 +89,8 @@ def main(arguments=None):
         rows += run_case(case, journal, command.progress(f"{case['record']} {case['direction']}"))
     realisations = REALISATION if any(case.get("realisations") for case in cases) else {}
     both = TWO_COMPONENTS if all(case.get("second") for case in cases) else {}
-    own = asked.get("ahead", {})
-    columns = {**own, **KEY, **own, **realisations, **RUN_COLUMNS}
+    ahead = asked.get("ahead", {})
+    columns = {**ahead, **KEY, **ahead, **realisations, **RUN_COLUMNS}
     columns |= both
     write_atomic(args.output, to_csv(rows, columns))
     return 0

@@ -79,15 +79,15 @@ def opened(arguments):
     """Build the scene that the command line names; return it with its handles in YADE."""
     args, case, time_s, columns = read(arguments)
     run = shaking.of_case(case, time_s, columns, args.direction, args.pga)
-    found = []
+    handles = []
 
     def setup(built):
-        found.append(built)
+        handles.append(built)
         raise Ready
 
     with contextlib.suppress(Ready):
         run.run(setup=setup)
-    return run.scene, found[0]
+    return run.scene, handles[0]
 
 
 def show(arguments):

@@ -54,8 +54,8 @@ def read_walls(path):
     if not isinstance(walls, list) or not walls:
         raise ValueError(f"{path}: expected a list of walls")
     for number, wall in enumerate(walls, 1):
-        own = SHAKEN if "motion" in wall else RELEASED
-        if missing := [key for key in (*KEYS, *own) if key not in wall]:
+        more_keys = SHAKEN if "motion" in wall else RELEASED
+        if missing := [key for key in (*KEYS, *more_keys) if key not in wall]:
             raise ValueError(f"{path}: wall {number} has no {listed(missing)}")
         where = f"{path}: wall {wall['id']}"
         if not isinstance(wall["beta_s"], list):
@@ -97,8 +97,8 @@ def released(wall, beta_s):
 def shaken(wall, beta_s):
     """History of a wall on a shake table."""
     time_s, columns = floor_motions.read(wall["motion"])
-    own = {key: wall[key] for key in ("model", "observed_m") if key in wall}
-    case = {**wall["config"], **own, "beta_s": beta_s}
+    stated = {key: wall[key] for key in ("model", "observed_m") if key in wall}
+    case = {**wall["config"], **stated, "beta_s": beta_s}
     scene = models.build_scene(case)
     return shaking.set_up(scene, case["numerics"], time_s, columns, wall["factor"]).retried()
 

@@ -113,10 +113,10 @@ def _blocks(w, utils, scene, parts, attached, full_rotation):
     driven: dict[tuple, list[int]] = {}
     for index, block in enumerate(scene.blocks):
         if block.free:
-            own = parts.members(index)
+            members = parts.members(index)
             for kind in attached:
-                own += kind.members.get(index, [])
-            clump, unturned[index] = parts.clump(block, own, full_rotation)
+                members += kind.members.get(index, [])
+            clump, unturned[index] = parts.clump(block, members, full_rotation)
             body.append(clump)
             continue
         ids = _support(w, utils, scene, index, parts, attached)

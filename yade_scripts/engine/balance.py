@@ -84,8 +84,8 @@ class EnergyBalance:
 
     def __init__(self, scene, sample_s=0.01, motions=None):
         """Prepare for a run with a row every `sample_s`; inertia forces need the run's motions."""
-        own = {1: scene.shaking, 2: scene.vertical}
-        self.inertial = {axis: motions[name] for axis, name in own.items() if name and motions}
+        names = {1: scene.shaking, 2: scene.vertical}
+        self.inertial = {axis: motions[name] for axis, name in names.items() if name and motions}
         self.scene, self.sample_s, self.rows = scene, sample_s, []
         self.work = np.zeros(4)  # input, dashpots, friction, fracture
         self.before: dict = {}

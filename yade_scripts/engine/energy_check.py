@@ -90,7 +90,7 @@ class EnergyCheck:
             if block.free:
                 body = built.body[index]
                 turns = 3 if {"Y", "Z"} & set(block.free) else 1  # in its plane about x alone
-                own = (
+                entry = (
                     omega.bodies[body].state,
                     block.mass_kg,
                     block.inertia_kg_m2[:turns],
@@ -98,11 +98,11 @@ class EnergyCheck:
                     block.centre_m[2],
                 )
                 if index in linked:
-                    self.masses.append((index, body, *own[:2], own[0].pos[1]))
+                    self.masses.append((index, body, *entry[:2], entry[0].pos[1]))
                 elif block.motion:
-                    self.guided.append((body, *own))
+                    self.guided.append((body, *entry))
                 else:
-                    self.free.append(own)
+                    self.free.append(entry)
         self.scale = scene.overturning_energy_j
         self.start, self.before, self.work = None, (0.0, 0.0), 0.0
 
@@ -159,8 +159,8 @@ class EnergyCheck:
     def height_j(self):
         """Weight times height of free blocks and loads above their reference position [J]."""
         blocks = (*self.free, *(entry[1:] for entry in self.guided))
-        own = sum(weight * (state.pos[2] - height) for state, _, _, weight, height in blocks)
-        return own + self.raised()
+        of_blocks = sum(weight * (state.pos[2] - height) for state, _, _, weight, height in blocks)
+        return of_blocks + self.raised()
 
     def _pushes(self, pull):
         """Force on each mass [N] but of links, sliding storeys and inertia; its speed [m/s]."""
@@ -176,9 +176,9 @@ class EnergyCheck:
             for i, sign in ((link.a, 1.0), (link.b, -1.0)):
                 if i in force:
                     force[i] += sign * held
-        for one, other, law in self.sliders:
+        for first, second, law in self.sliders:
             shear = law.shearForce[1]  # on the second
-            for i, sign in ((one, 1.0), (other, -1.0)):
+            for i, sign in ((first, 1.0), (second, -1.0)):
                 if i in force:
                     force[i] += sign * shear
         return [(force[index], state.vel[1]) for index, _, state, *_ in self.masses]

@@ -66,8 +66,8 @@ class Faces:
         )
 
     def _add(self, i, normal, level, rim):
-        own = int(self.scene.nodes.a[i]) if self.apart else None
-        key = (int(self.scene.nodes.b[i]), tuple(np.round(normal, 12)), round(level, 9), rim, own)
+        meets = int(self.scene.nodes.a[i]) if self.apart else None
+        key = (int(self.scene.nodes.b[i]), tuple(np.round(normal, 12)), round(level, 9), rim, meets)
         self.nodes_of.setdefault(key, []).append(i)
         return key
 

@@ -42,14 +42,14 @@ class Floors(Attached):
 
     def loads(self, lift=None):
         """Engines of the loads; `lift` is the vertical motion in whose frame they act."""
-        w, found = self.w, []
-        for floor, (own, _) in zip(self.scene.floors, self.pairs, strict=True):
+        w, engines = self.w, []
+        for floor, (body, _) in zip(self.scene.floors, self.pairs, strict=True):
             if floor.load_n > 0.0:
-                found.append(w.ForceEngine(force=(0.0, 0.0, -floor.load_n), ids=[own]))
+                engines.append(w.ForceEngine(force=(0.0, 0.0, -floor.load_n), ids=[body]))
             if floor.load_n > 0.0 and lift is not None:
                 mass = floor.load_n / self.scene.gravity_m_s2
-                found.append(drives.force(w, lift, -mass, 2, [own]))
-        return found
+                engines.append(drives.force(w, lift, -mass, 2, [body]))
+        return engines
 
     def join(self):
         """Make the contacts."""
@@ -67,8 +67,8 @@ class Raised:
         """Take hold of the points that are loaded."""
         self.gravity = scene.gravity_m_s2
         self.loads = [
-            (floor.load_n, built.omega.bodies[own].state, floor.position_m[2])
-            for floor, (own, _) in zip(scene.floors, built.floors, strict=True)
+            (floor.load_n, built.omega.bodies[body].state, floor.position_m[2])
+            for floor, (body, _) in zip(scene.floors, built.floors, strict=True)
         ]
 
     def __call__(self):

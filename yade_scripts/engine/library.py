@@ -51,8 +51,8 @@ def load_yade():
     """
     if first := "yade.wrapper" not in sys.modules:
         prefix = os.environ.get("YADE_PREFIX", "/usr")
-        found = sorted(glob.glob(f"{prefix}/lib/*/yade*/py/yade/__init__.py"))
-        plain = [p for p in found if "/yade-double/" in p or "/yade/py/" in p]
+        builds = sorted(glob.glob(f"{prefix}/lib/*/yade*/py/yade/__init__.py"))
+        plain = [p for p in builds if "/yade-double/" in p or "/yade/py/" in p]
         if not plain:
             raise EngineError(
                 f"YADE not found below {prefix}/lib: install Debian's package 'yade' "

@@ -147,8 +147,8 @@ class SceneParts:
             state.ori = quaternion(block.rotation_rad) * state.ori
         state.vel = tuple(block.velocity_m_s)
         state.angVel = tuple(block.angular_velocity_rad_s)
-        own = state.ori.inverse() * state.angVel  # a full rotation is integrated by its momentum
+        spin = state.ori.inverse() * state.angVel  # a full rotation is integrated by its momentum
         state.angMom = state.ori * minieigenHP.Vector3(
-            *(i * w for i, w in zip(block.inertia_kg_m2, own, strict=True))
+            *(i * w for i, w in zip(block.inertia_kg_m2, spin, strict=True))
         )
         return clump, unturned

@@ -25,7 +25,7 @@ def _began_s(pid):
 
 def _makers(but):
     """When other processes of this user that have YADE began, or that may have it."""
-    found = []
+    times_s = []
     for entry in Path("/proc").iterdir():
         if not entry.name.isdigit() or int(entry.name) == but:
             continue
@@ -37,17 +37,17 @@ def _makers(but):
             except PermissionError:  # as of a container's first process
                 has = (entry / "comm").read_text().startswith(("python", "yade"))
             if has:
-                found.append(_began_s(entry.name))
-    return found
+                times_s.append(_began_s(entry.name))
+    return times_s
 
 
-def clear(own, place=PLACE):
+def clear(folder, place=PLACE):
     """Take away this process's folder, and empty ones of which no living process can be the maker.
 
-    Its own, `own`, is left if something is in it; `place` is where such folders lie.
+    Its own, `folder`, is left if something is in it; `place` is where such folders lie.
     """
     with contextlib.suppress(OSError):
-        os.rmdir(own)
+        os.rmdir(folder)
     with contextlib.suppress(OSError):
         left = [path for path in place.glob("yade-??????") if path.lstat().st_uid == os.getuid()]
         if not left:

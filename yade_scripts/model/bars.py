@@ -85,12 +85,12 @@ class Tie:
 
 def taut(ties):
     """Ties that pull at once: of two that pull one point opposite ways the first alone."""
-    found: list[Tie] = []
+    kept: list[Tie] = []
     for tie in ties:
         ends = (tie.a, tie.b, tie.end_a_m, tuple(-v for v in tie.direction))
-        if ends not in [(x.a, x.b, x.end_a_m, x.direction) for x in found]:
-            found.append(tie)
-    return found
+        if ends not in [(x.a, x.b, x.end_a_m, x.direction) for x in kept]:
+            kept.append(tie)
+    return kept
 
 
 @dataclass(frozen=True)

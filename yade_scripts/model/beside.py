@@ -15,7 +15,7 @@ SLIVER_M = 1e-9
 
 def cornices_of(facade, storeys):
     """(z0, z1, y0, y1) of cornices, cut where the outer face steps; all below the eaves."""
-    found, h = [], facade.height_m
+    cornices, h = [], facade.height_m
     for number, row in enumerate(facade.cornices, 1):
         low, high = row.z_m, row.z_m + row.height_m
         if high > h + SLIVER_M:
@@ -26,8 +26,8 @@ def cornices_of(facade, storeys):
         for z0, z1, _, y in storeys:
             a, b = max(z0, low), min(z1, high)
             if b - a > SLIVER_M:
-                found.append((a, b, y, y + row.projection_m))
-    return tuple(found)
+                cornices.append((a, b, y, y + row.projection_m))
+    return tuple(cornices)
 
 
 def wedge_parts(facade, storeys):
@@ -38,12 +38,12 @@ def wedge_parts(facade, storeys):
             "facade.wedge_thickness_m: expected the thickness of all return walls together (m) "
             f"with facade.wedge_deg = {facade.wedge_deg:g}"
         )
-    found = []
+    parts = []
     for z0, z1, y, _ in storeys:
         if z0 < h - SLIVER_M:
             outline = [(y - slope * z0, z0), (y, z0), (y, z1), (y - slope * z1, z1)]
-            found.append(_sheet(facade.density_kg_m3, thick, np.array(outline)))
-    return found
+            parts.append(_sheet(facade.density_kg_m3, thick, np.array(outline)))
+    return parts
 
 
 def _sheet(density, thick_m, outline):

@@ -25,16 +25,16 @@ def chain_matrices(smdof, mass_kg):
     mode takes half from each).
     """
     n, zeta = smdof["n_dof"], smdof["damping_ratio"]
-    one = mass_kg / n
+    each_kg = mass_kg / n
     first = 2.0 * math.pi / smdof["period_s"]
-    storey = one * first**2 / (4.0 * math.sin(math.pi / (4 * n + 2)) ** 2)
+    storey = each_kg * first**2 / (4.0 * math.sin(math.pi / (4 * n + 2)) ** 2)
     pattern = 2.0 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1)
     pattern[-1, -1] = 1.0
-    mass, stiffness = one * np.eye(n), storey * pattern
-    values, vectors = np.linalg.eigh(stiffness / one)
+    mass, stiffness = each_kg * np.eye(n), storey * pattern
+    values, vectors = np.linalg.eigh(stiffness / each_kg)
     omega = np.sqrt(values)
     if smdof["damping_model"] == "modal":
-        damping = one * (vectors * (2.0 * zeta * omega)) @ vectors.T
+        damping = each_kg * (vectors * (2.0 * zeta * omega)) @ vectors.T
     else:
         low, high = omega[0], omega[min(1, n - 1)]
         damping = 2.0 * zeta / (low + high) * (low * high * mass + stiffness)

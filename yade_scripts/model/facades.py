@@ -185,8 +185,10 @@ class Facade:
         for key, row in ROWS.items():
             stated = given.get(key, ())
             given[key] = tuple(
-                one if isinstance(one, row) else row(**_known(row, one, f"facade.{key}[{number}]"))
-                for number, one in enumerate(stated, 1)
+                entry
+                if isinstance(entry, row)
+                else row(**_known(row, entry, f"facade.{key}[{number}]"))
+                for number, entry in enumerate(stated, 1)
             )
         hinges = given.get("hinges_m", ())
         given["hinges_m"] = hinges if isinstance(hinges, str) else tuple(hinges)
@@ -200,9 +202,9 @@ class Facade:
     @property
     def is_plain(self):
         """Whether it is a homogeneous box from ground to top of its building."""
-        own = any(getattr(self, key) for key in OWN_KEYS) or self.outline == TRIANGLE
+        shaped = any(getattr(self, key) for key in OWN_KEYS) or self.outline == TRIANGLE
         whole = self.building_height_m or self.height_m
-        return not (own or self.base_height_m or whole != self.height_m)
+        return not (shaped or self.base_height_m or whole != self.height_m)
 
     @property
     def building_top_m(self):
@@ -261,9 +263,10 @@ ROWS = {
     "thrusts": Thrust,
     "floors": FloorRow,
 }
-NAMES = {kind: {one.name for one in fields(kind)} for kind in (Facade, *ROWS.values())}
+NAMES = {kind: {field.name for field in fields(kind)} for kind in (Facade, *ROWS.values())}
 NEEDED = {
-    kind: {one.name for one in fields(kind) if one.default is one.default_factory} for kind in NAMES
+    kind: {field.name for field in fields(kind) if field.default is field.default_factory}
+    for kind in NAMES
 }
 
 

@@ -70,8 +70,8 @@ def write_tabulated(path, time_s, floors, *, digits=9):
     """Write a file of `yielding.TabulatedFloors`, which `read` gives back."""
     columns = dict(floors)
     for size, level in zip(floors.sizes[1:], floors.levels[1:], strict=True):
-        own = {name: level[name] for name in floors if name not in (GROUND, VERTICAL)}
-        columns |= {f"{name}{TIMES}{size:.12g}": values for name, values in own.items()}
+        of_floors = {name: level[name] for name in floors if name not in (GROUND, VERTICAL)}
+        columns |= {f"{name}{TIMES}{size:.12g}": values for name, values in of_floors.items()}
     write_columns(path, time_s, columns, digits=digits)
 
 
@@ -165,13 +165,13 @@ def motion_columns(scene, columns):
 
     What is there already stays. ValueError if a floor is missing.
     """
-    found = dict(columns)
+    mixed = dict(columns)
     for name, weights in scene.notes.get("motions", {}).items():
         if name in columns:
             continue
         _refuse_missing(weights, columns)
-        found[name] = sum(weight * columns[column] for column, weight in weights.items())
-    return found
+        mixed[name] = sum(weight * columns[column] for column, weight in weights.items())
+    return mixed
 
 
 def _refuse_missing(names, columns):

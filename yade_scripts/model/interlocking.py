@@ -161,10 +161,10 @@ class _Assembly:
 
     def _facade(self):
         """Ground, façade and the base joint between them."""
-        own = replace(self.config["facade"], width_m=self.width)
-        ground = ground_block(own, None if self.two_way else GROUND)
-        self.blocks += [ground, plain_block(own, "yzX")]
-        Beds({**self.config, "facade": own}, self.beta, self.nodes, planar=True).base(1, 0)
+        facade = replace(self.config["facade"], width_m=self.width)
+        ground = ground_block(facade, None if self.two_way else GROUND)
+        self.blocks += [ground, plain_block(facade, "yzX")]
+        Beds({**self.config, "facade": facade}, self.beta, self.nodes, planar=True).base(1, 0)
 
     def _wall(self, wall, x):
         """One return wall: bricks, headers, and their joints from the bottom up."""
@@ -230,9 +230,9 @@ class _Assembly:
         centre = centre / masses.sum()
         inertia = np.zeros(3)
         for m, (length, y, z) in zip(masses, parts, strict=True):
-            own = box_inertia(m, (self.t, length, self.course))
+            moments = box_inertia(m, (self.t, length, self.course))
             dy, dz = y - centre[1], z - centre[2]
-            inertia += np.array(own) + m * np.array([dy**2 + dz**2, dz**2, dy**2])
+            inertia += np.array(moments) + m * np.array([dy**2 + dz**2, dz**2, dy**2])
         motion = None if self.two_way else self._motion(centre[2])
         self.blocks.append(
             Block(

@@ -43,8 +43,8 @@ def with_nodes(case, nodes):
     """Copy of a case with n nodes a return wall, 2n − 1 at the base; None: its own."""
     if nodes is None:
         return case
-    own = {"nodes_thickness": 2 * nodes - 1, "nodes_height": nodes, "nodes_per_block": nodes}
-    return {**case, "numerics": {**case["numerics"], **own}}
+    counts = {"nodes_thickness": 2 * nodes - 1, "nodes_height": nodes, "nodes_per_block": nodes}
+    return {**case, "numerics": {**case["numerics"], **counts}}
 
 
 def static_multiplier(case):
@@ -57,21 +57,21 @@ def static_multiplier(case):
     W3: λ0 of the kinematic curve, b/h + N_w Σ F_i y_i/(W h/2) with
     F_i = μ γ t_s v h_b i at y_i = h − i·h_b above the hinge.
     """
-    own, wall = Facade.of(case["facade"]), case["return_wall"]
-    h, b = own.height_m, own.thickness_m
+    the_facade, wall = Facade.of(case["facade"]), case["return_wall"]
+    h, b = the_facade.height_m, the_facade.thickness_m
     kind = registry.model(case["model"])
     if kind.walls == "one" and kind.bonded:
-        weight = own.density_kg_m3 * GRAVITY_M_S2 * h * b * own.width_m
+        weight = the_facade.density_kg_m3 * GRAVITY_M_S2 * h * b * the_facade.width_m
         bond = wall["count"] * wall["tension_mpa"] * 1e6 * wall["thickness_m"] * h**2 / 3.0
-        if not own.is_plain:
-            shape = shape_of(own)
+        if not the_facade.is_plain:
+            shape = shape_of(the_facade)
             return (shape.lever_m[0] + bond / (shape.mass_kg * GRAVITY_M_S2)) / shape.lever_m[1]
         return b / h + bond / (0.5 * weight * h)
     if kind.walls != "bricks":
-        return b / h if own.is_plain else shape_of(own).static_multiplier
+        return b / h if the_facade.is_plain else shape_of(the_facade).static_multiplier
     w3 = case["w3"]
     course = w3["course_height_m"]
     arms = sum(i * (h - i * course) for i in range(1, round(h / course)))
     friction = math.tan(math.radians(w3["friction_deg"])) * wall["thickness_m"]
     moment = wall["count"] * friction * w3["overlap_m"] * course * arms
-    return b / h + moment / (h * b * own.width_m * 0.5 * h)
+    return b / h + moment / (h * b * the_facade.width_m * 0.5 * h)

@@ -37,7 +37,7 @@ def part_of(section, foot_m, held_m=None, hinge_m=None, wedge=None):
     shape, eaves = shape_of(section), section["height_m"]
     top = eaves if held_m is None else held_m
     base = section["base_height_m"]
-    found = {
+    part = {
         **section,
         "base_height_m": _place(base + foot_m),
         "building_height_m": section.get("building_height_m") or _place(base + eaves),
@@ -46,17 +46,17 @@ def part_of(section, foot_m, held_m=None, hinge_m=None, wedge=None):
         "courses": section.get("courses", 0) if hinge_m is None else 0,
     }
     if foot_m >= eaves - NEAR_M:
-        return found | _above_the_walls(section, shape, foot_m)
+        return part | _above_the_walls(section, shape, foot_m)
     floors = _rows(section["floors"], foot_m, top)
     if held_m is not None:
-        found |= {"gable_height_m": 0.0, "parapet_height_m": 0.0}
+        part |= {"gable_height_m": 0.0, "parapet_height_m": 0.0}
         floors += _load(section, shape, held_m, _place(top - foot_m))
     back, front = shape.faces_at(min(foot_m + NEAR_M, eaves))
     thickness_m, top_m = front - back, None
     whole = Facade.of(section)
     if whole.top_thickness_m:
         thickness_m, top_m = (_place(whole.tapered_m(z)) for z in (foot_m, top))
-    return found | {
+    return part | {
         "height_m": _place(top - foot_m),
         "thickness_m": _place(thickness_m),
         "top_thickness_m": top_m,
@@ -81,10 +81,10 @@ def _with_wedge(section, heights, deg, thickness_m):
             f"part.wedge_deg = {deg:g}: expected 0 (°) for a part that bends, or that has no "
             "return walls behind it"
         )
-    found = part_of({**section, "courses": 0}, *heights)
-    elastic = section.get("courses") and not found["base_stiffness_pa_m"]
+    part = part_of({**section, "courses": 0}, *heights)
+    elastic = section.get("courses") and not part["base_stiffness_pa_m"]
     base = "column" if elastic else section.get("base", "study")
-    return found | {"wedge_deg": deg, "wedge_thickness_m": thickness_m, "base": base}
+    return part | {"wedge_deg": deg, "wedge_thickness_m": thickness_m, "base": base}
 
 
 def _check(section, foot_m, held_m, hinge_m):
@@ -151,12 +151,12 @@ def _rows(rows, foot_m, top_m):
 
 def _openings(rows, foot_m, top_m):
     """Openings, or cornices, between two heights; of those that either cuts, what lies between."""
-    found = []
+    kept = []
     for row in rows:
         low, high = max(row["z_m"], foot_m), min(row["z_m"] + row["height_m"], top_m)
         if high - low > NEAR_M:
-            found.append({**row, "z_m": _place(low - foot_m), "height_m": _place(high - low)})
-    return found
+            kept.append({**row, "z_m": _place(low - foot_m), "height_m": _place(high - low)})
+    return kept
 
 
 def _load(section, shape, held_m, height_m):

@@ -179,8 +179,8 @@ class Scene:
     @property
     def motions(self):
         """Names of the motions that drive the scene, sorted."""
-        own = {self.shaking, self.vertical}
-        return sorted((own | {name for b in self.blocks for _, name in b.drives}) - {None})
+        names = {self.shaking, self.vertical}
+        return sorted((names | {name for b in self.blocks for _, name in b.drives}) - {None})
 
     @property
     def two_components(self):
@@ -241,7 +241,10 @@ class NodeList:
     def __init__(self, drag=1.0, scene=None):
         """Start without joints, or after those of a scene; `drag` is that of all new nodes."""
         self.joints, self.drag = [*scene.joints] if scene else [], drag
-        none = {own.name: np.empty((0, 3) if own.name in VECTORS else 0) for own in fields(Nodes)}
+        none = {
+            column.name: np.empty((0, 3) if column.name in VECTORS else 0)
+            for column in fields(Nodes)
+        }
         self._rows = {k: [v] for k, v in (vars(scene.nodes) if scene else none).items()}
 
     def add_joint(self, name, a, b, positions_m, normal, areas_m2, interface):

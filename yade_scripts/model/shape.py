@@ -71,14 +71,14 @@ class Shape:
     def pieces(self):
         """(mass_kg, centre, tensor, size) of the rigid pieces, from the lowest up."""
         edges = (0.0, *self.hinges_m, self.top_m)
-        found = []
+        pieces = []
         for k, (low, high) in enumerate(itertools.pairwise(edges)):
             mine = [part for part in self.parts if self.piece_at(part[1][2]) == k]
             mass, centre, tensor = _total(mine)
             faces = [y for z0, _, *ys in self.storeys if low <= z0 < high for y in ys]
             size = (self.width_m, max(faces) - min(faces), high - low)
-            found.append((mass, centre, tensor, size))
-        return found
+            pieces.append((mass, centre, tensor, size))
+        return pieces
 
     def joint_at(self, hinge_m, key="hinges_m"):
         """Where the pieces below and above a hinge meet: (y0, y1) of the faces, and lost width [m].
@@ -153,7 +153,7 @@ class Shape:
         high = low_m + tall_m
         edges = [s[0] for s in self.storeys[1:]] + [z for row in near for z in row[2:]]
         cuts = sorted({z for z in edges if low_m + 1e-9 < z < high - 1e-9})
-        spans, found = [(low_m, tall_m)], []
+        spans, parts = [(low_m, tall_m)], []
         if cuts:
             spans = [(a, b - a) for a, b in itertools.pairwise((low_m, *cuts, high))]
         for foot, tall in spans:
@@ -163,8 +163,8 @@ class Shape:
             strips = without(walls, holes, SLIVER_M)
             lost = sum(b - a for a, b in walls) - sum(b - a for a, b in strips) if holes else 0.0
             if strips:
-                found.append((foot, tall, y, lost, strips))
-        return found
+                parts.append((foot, tall, y, lost, strips))
+        return parts
 
 
 def shape_of(facade):
@@ -205,7 +205,7 @@ def _shape(facade):
     parts += [_box(density, (-0.5 * width, 0.5 * width), c[2:], c[:2]) for c in cornices]
     mass, centre, tensor = _total(parts)
     top = h + gable + parapet
-    found = Shape(
+    shape = Shape(
         mass,
         tuple(map(float, centre)),
         tensor,
@@ -222,16 +222,16 @@ def _shape(facade):
         crown,
         bool(facade.top_thickness_m),
     )
-    low = -math.inf if found.slope else 0.0  # a wedge leans back on its crack
-    if not low < found.centre_m[1] < b:
+    low = -math.inf if shape.slope else 0.0  # a wedge leans back on its crack
+    if not low < shape.centre_m[1] < b:
         key = "cornices" if cornices else "thickness_steps"
         raise ValueError(
-            f"facade.{key}: the weight falls {found.centre_m[1]:.3g} m from the back of "
+            f"facade.{key}: the weight falls {shape.centre_m[1]:.3g} m from the back of "
             f"the base; expected between 0 and facade.thickness_m = {b:g} (m)"
         )
-    if found.base_lost_m > width - 1e-3:
+    if shape.base_lost_m > width - 1e-3:
         raise ValueError("facade.openings: doors take the whole base; expected piers between them")
-    return found
+    return shape
 
 
 def _total(parts):
@@ -239,7 +239,7 @@ def _total(parts):
     mass = sum(part[0] for part in parts)
     first = parts[0][1]
     centre = first + sum(m * (r - first) for m, r, _, _ in parts) / mass
-    tensor = sum(own + m * _offset(r - centre) for m, r, own, _ in parts)
+    tensor = sum(moments + m * _offset(r - centre) for m, r, moments, _ in parts)
     return mass, centre, tensor
 
 
@@ -248,10 +248,10 @@ def _prism(density, width_m, faces, foot_m, height_m):
     y0, y1 = faces
     t = y1 - y0
     mass = 0.5 * density * height_m * t * width_m
-    own = np.array([t**2 / 12, width_m**2 / 24, width_m**2 / 24])
-    own += np.array([height_m**2 / 18, height_m**2 / 18, t**2 / 12])
+    gyration_m2 = np.array([t**2 / 12, width_m**2 / 24, width_m**2 / 24])
+    gyration_m2 += np.array([height_m**2 / 18, height_m**2 / 18, t**2 / 12])
     centre = np.array([0.0, 0.5 * (y0 + y1), foot_m + height_m / 3.0])
-    return mass, centre, np.diag(mass * own), (width_m, t, height_m)
+    return mass, centre, np.diag(mass * gyration_m2), (width_m, t, height_m)
 
 
 def _offset(d):
@@ -290,7 +290,7 @@ def _storeys(facade):
             )
         last = row.z_m
     hinges = _hinges(facade)
-    cuts = [z for z in facade.slices_m if all(abs(z - own) > 1e-6 for own in hinges)]
+    cuts = [z for z in facade.slices_m if all(abs(z - hinge) > 1e-6 for hinge in hinges)]
     feet = sorted({0.0, *hinges, *cuts, *(row.z_m for row in steps)})
     edges, thick = [*feet, h], [_thickness(b, steps, z) for z in feet]
     if cuts:
@@ -320,7 +320,7 @@ def _thickness(b, steps, height_m):
 def _openings(facade):
     """(x0, x1, z0, z1) of the openings, inside the façade and apart from each other."""
     h, width = facade.height_m, facade.width_m
-    found: list[tuple] = []
+    openings: list[tuple] = []
     for number, row in enumerate(facade.openings, 1):
         where = f"facade.openings[{number}]"
         x, z, wide, tall = row.x_m, row.z_m, row.width_m, row.height_m
@@ -336,12 +336,12 @@ def _openings(facade):
             )
         mine = (x - 0.5 * wide, x + 0.5 * wide, z, z + tall)
         beside = wide
-        for other, (x0, x1, z0, z1) in enumerate(found, 1):
+        for other, (x0, x1, z0, z1) in enumerate(openings, 1):
             if mine[2] < z1 - 1e-9 and mine[3] > z0 + 1e-9:
                 if mine[0] < x1 - 1e-9 and mine[1] > x0 + 1e-9:
                     raise ValueError(f"{where}: expected it apart from facade.openings[{other}]")
                 beside += x1 - x0
         if beside > width - 1e-3:
             raise ValueError(f"{where}.width_m = {wide:g}: expected masonry beside the openings")
-        found.append(mine)
-    return tuple(found)
+        openings.append(mine)
+    return tuple(openings)

@@ -117,8 +117,8 @@ class Balance:
         share = np.where(np.maximum(first, last) > 0.0, high - low, 0.0)
         middle, half = 0.5 * (low + high), 0.5 * share
         at = np.concatenate([middle - half / np.sqrt(3.0), middle + half / np.sqrt(3.0)])
-        one, other = np.split(ends.position_m, 2)
-        place = np.tile(one, (2, 1)) + at[:, None] * np.tile(other - one, (2, 1))
+        start, end = np.split(ends.position_m, 2)
+        place = np.tile(start, (2, 1)) + at[:, None] * np.tile(end - start, (2, 1))
         half = np.tile(half, 2)
         first, last = np.split(ends.gap_m, 2)
         gap = np.tile(first, 2) + at * np.tile(last - first, 2)

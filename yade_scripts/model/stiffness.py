@@ -211,9 +211,9 @@ def lag_factors(scene, dt_s):
             (nodes.a == piece)[:, None], b_matrix[:, :, :6] @ phi, b_matrix[:, :, 6:] @ phi
         )
         damping = nodes.beta_s * np.einsum("ni,nij,nj->n", velocity, d, velocity)
-        own = upright & ((nodes.a == piece) | (nodes.b == piece))
-        for touched in np.unique(nodes.b[own]):
-            mine = own & (nodes.b == touched)
+        of_piece = upright & ((nodes.a == piece) | (nodes.b == piece))
+        for touched in np.unique(nodes.b[of_piece]):
+            mine = of_piece & (nodes.b == touched)
             rate = damping[mine].sum() / inertia
             wall = scene.blocks[touched]
             if wall.free:
@@ -253,6 +253,6 @@ def compensated(scene, dt_s):
     ]
     floors = list(scene.floors)
     for k in sliding(scene) if factor != 1.0 else ():
-        own = (factor * floors[k].stiffness_n_m, factor * floors[k].capacity_n)
-        floors[k] = replace(floors[k], stiffness_n_m=own[0], capacity_n=own[1])
+        scaled = (factor * floors[k].stiffness_n_m, factor * floors[k].capacity_n)
+        floors[k] = replace(floors[k], stiffness_n_m=scaled[0], capacity_n=scaled[1])
     return replace(scene, nodes=nodes, links=links, floors=floors)

@@ -120,12 +120,12 @@ def sliders(chain, storey_m, mass_kg, masses, heights_m):
             f"{chain['loss_drift_ratio']}: expected bilinear and null, which sliders can do, where "
             "walls carry the building's mass"
         )
-    soft, found = 1.0 - storeys.hardening, []
+    soft, floors = 1.0 - storeys.hardening, []
     for i, (k, u_y) in enumerate(zip(storeys.k_n_m, storeys.yield_m, strict=True)):
         place, under = (0.0, 0.0, heights_m[i]), masses[i - 1] if i else 0
-        name, own = f"storey {i + 1}", (soft * k, soft * k * u_y)
-        found.append(Floor(name, masses[i], under, place, 0.0, *map(float, own)))
-    return found
+        name, slider = f"storey {i + 1}", (soft * k, soft * k * u_y)
+        floors.append(Floor(name, masses[i], under, place, 0.0, *map(float, slider)))
+    return floors
 
 
 def slides(smdof):
@@ -158,9 +158,9 @@ class SteppedChain(NamedTuple):
 def chain_of(case, step_s):
     """`SteppedChain` of a case of one kilogram, at a step."""
     mass, stiffness, damping = chain_matrices(case["smdof"], 1.0)
-    one = mass[0, 0]
-    values, vectors = np.linalg.eigh(stiffness / one)
-    phi = vectors / math.sqrt(one)
+    each_kg = mass[0, 0]
+    values, vectors = np.linalg.eigh(stiffness / each_kg)
+    phi = vectors / math.sqrt(each_kg)
     damping = np.diag(phi.T @ damping @ phi)
     exact = [_exact(square, rate, step_s) for square, rate in zip(values, damping, strict=True)]
     flows, loads = zip(*exact, strict=True)
@@ -233,23 +233,23 @@ class Loops:
         self.out[i], self.inward[i] = max(self.out[i], u), max(self.inward[i], -u)
         k, u_y, worst = self.k[i], self.u_y[i], max(self.out[i], self.inward[i])
         if worst <= u_y:
-            found = 0.0
+            taken_n = 0.0
         elif self.s.law == PEAK_ORIENTED:
-            found = k * u - self._peak_oriented(i, u)
+            taken_n = k * u - self._peak_oriented(i, u)
         elif self.s.law == ORIGIN_ORIENTED:
             peak = max(self.out[i] if u >= 0.0 else self.inward[i], u_y)
             secant = 1.0 - (1.0 - self.s.hardening) * (1.0 - u_y / peak)
-            found = k * u * (1.0 - self._left(peak) * secant)
+            taken_n = k * u * (1.0 - self._left(peak) * secant)
         else:
             self.place[i] = plastic = u - min(max(u - self.place[i], -u_y), u_y)
             beyond = math.copysign(max(abs(u) - u_y, 0.0), u)
             slid = self.s.share * plastic + (1.0 - self.s.share) * beyond
             left = self._left(worst)
-            found = (1.0 - left) * k * u + left * (1.0 - self.s.hardening) * k * slid
-        shear = k * u - found
+            taken_n = (1.0 - left) * k * u + left * (1.0 - self.s.hardening) * k * slid
+        shear = k * u - taken_n
         self.work[i] += 0.5 * (self.shear[i] + shear) * (u - self.drift[i])
         self.drift[i], self.shear[i] = u, shear
-        return found
+        return taken_n
 
     def _peak_oriented(self, i, u):
         k, u_y, was = self.k[i], self.u_y[i], self.shear[i]
@@ -303,8 +303,8 @@ def march(chain, ground_m_s2, factors, start=None, floors=True):
         At the end.
     """
     start = at_rest(chain) if start is None else start
-    found = [_one(chain, (factor * ground_m_s2).tolist(), start) for factor in factors]
-    rows, states = zip(*found, strict=True)
+    histories = [_one(chain, (factor * ground_m_s2).tolist(), start) for factor in factors]
+    rows, states = zip(*histories, strict=True)
     return np.array(rows) if floors else None, np.array(states)
 
 

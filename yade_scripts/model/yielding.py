@@ -104,7 +104,7 @@ class TabulatedFloors(ByAmplitude):
 
     def at_all(self, factors):
         """`Moved`, one a factor; ValueError above the highest intensity."""
-        found = []
+        all_moved = []
         for factor in factors:
             size = abs(factor)
             if size > self.sizes[-1] * (1.0 + 1e-9):
@@ -124,8 +124,8 @@ class TabulatedFloors(ByAmplitude):
                     below, above = self.levels[k - 1][name] / low, self.levels[k][name] / high
                     moved[name] = factor * ((1.0 - share) * below + share * above)
                 moved.scaled = False
-            found.append(moved)
-        return found
+            all_moved.append(moved)
+        return all_moved
 
 
 class YieldingFloors(ByAmplitude):
@@ -158,26 +158,26 @@ class YieldingFloors(ByAmplitude):
 
     def at_all(self, factors):
         """`Moved`, one a factor."""
-        found = [self._times(factor) for factor in factors]
+        all_moved = [self._times(factor) for factor in factors]
         floors = [f"floor{j}" for j in range(1, len(self.chain.square_1_s2) + 1)]
         for name in (GROUND, along(GROUND)):
             if name in self:
                 names = floors if name == GROUND else [along(floor) for floor in floors]
-                self._move(name, names, factors, found)
-        return found
+                self._move(name, names, factors, all_moved)
+        return all_moved
 
-    def _move(self, ground, names, factors, found):
+    def _move(self, ground, names, factors, all_moved):
         """Give the columns over one ground what its chain does where it yields."""
         weak = np.flatnonzero(self.weak(factors, ground)).tolist()
-        for moved in found:
+        for moved in all_moved:
             moved.states[ground] = None
         if not weak:
             return
         some = [factors[k] for k in weak]
         rows, states = self.march(self.chain, self[ground], some, self.start.get(ground))
         for k, floors, state in zip(weak, rows, states, strict=True):
-            found[k].update(zip(names, floors, strict=True))
-            found[k].states[ground], found[k].scaled = state, False
+            all_moved[k].update(zip(names, floors, strict=True))
+            all_moved[k].states[ground], all_moved[k].scaled = state, False
 
     def weak(self, factors, ground=GROUND):
         """Whether a storey yields at each factor, or has before, shape (n,)."""
@@ -198,13 +198,13 @@ class YieldingFloors(ByAmplitude):
     def drift_ratios(self, factors):
         """Largest drift of any storey over its height at each factor, no façade before it."""
         factors = np.asarray(factors, float)
-        found = np.abs(factors) * self._elastic(GROUND).max() / self.height_m
+        ratios = np.abs(factors) * self._elastic(GROUND).max() / self.height_m
         weak = np.flatnonzero(self.weak(factors))
         if weak.size:
             start = self.start.get(GROUND)
             _, states = self.march(self.chain, self[GROUND], factors[weak], start, floors=False)
-            found[weak] = storeys.largest_drift(states).max(axis=1) / self.height_m
-        return found
+            ratios[weak] = storeys.largest_drift(states).max(axis=1) / self.height_m
+        return ratios
 
 
 def following(columns, moved):

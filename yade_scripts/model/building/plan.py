@@ -190,13 +190,13 @@ def _records(cls, rows, where, kind, convert):
     """Build what `rows` describe; an error line calls each by its name, or else by its number."""
     if not isinstance(rows, (list, tuple)):
         raise PlanError(f"{where}: {kind}s must be a list, got {rows!r}")
-    found = []
+    records = []
     for number, row in enumerate(rows, 1):
         name = f"number {number}"
         if isinstance(row, dict):
             name = row.get("name", name)
-        found.append(_record(cls, row, f"{where}, {kind} '{name}'", convert))
-    return tuple(found)
+        records.append(_record(cls, row, f"{where}, {kind} '{name}'", convert))
+    return tuple(records)
 
 
 def plan_from_dict(data, source="plan"):
@@ -245,30 +245,30 @@ def _check_wall(wall, where):
                 f"{name}: spans {opening.sill_m:g} to {opening.head_m:g} m in height, outside"
                 f" the wall's {wall.base_m:g} to {wall.top_m:g} m"
             )
-    for i, one in enumerate(wall.openings):
-        for two in wall.openings[i + 1 :]:
+    for i, first in enumerate(wall.openings):
+        for second in wall.openings[i + 1 :]:
             apart = (
-                one.end_m <= two.from_start_m + TOLERANCE_M
-                or two.end_m <= one.from_start_m + TOLERANCE_M
-                or one.head_m <= two.sill_m + TOLERANCE_M
-                or two.head_m <= one.sill_m + TOLERANCE_M
+                first.end_m <= second.from_start_m + TOLERANCE_M
+                or second.end_m <= first.from_start_m + TOLERANCE_M
+                or first.head_m <= second.sill_m + TOLERANCE_M
+                or second.head_m <= first.sill_m + TOLERANCE_M
             )
             if not apart:
-                raise PlanError(f"{where}: openings '{one.name}' and '{two.name}' overlap")
+                raise PlanError(f"{where}: openings '{first.name}' and '{second.name}' overlap")
 
 
 def _check_floor(plan, floor, where):
     if len(floor.walls) != 2:
         raise PlanError(f"{where}: walls must name the two walls that carry the beams")
     try:
-        one, two = (plan.wall(name) for name in floor.walls)
+        first, second = (plan.wall(name) for name in floor.walls)
     except PlanError as error:
         raise PlanError(f"{where}: {error}") from None
-    if one.axis != two.axis:
-        raise PlanError(f"{where}: walls '{one.name}' and '{two.name}' are not parallel")
-    clear = abs(two.offset_m - one.offset_m) - (one.thickness_m + two.thickness_m) / 2.0
+    if first.axis != second.axis:
+        raise PlanError(f"{where}: walls '{first.name}' and '{second.name}' are not parallel")
+    clear = abs(second.offset_m - first.offset_m) - (first.thickness_m + second.thickness_m) / 2.0
     if clear <= 0.0:
-        raise PlanError(f"{where}: no clear span between '{one.name}' and '{two.name}'")
+        raise PlanError(f"{where}: no clear span between '{first.name}' and '{second.name}'")
     for key in (
         "beam_spacing_m",
         "beam_width_m",
@@ -280,7 +280,7 @@ def _check_floor(plan, floor, where):
             raise PlanError(f"{where}: {key} must be positive, got {getattr(floor, key)}")
     if floor.load_kg_m2 < 0.0:
         raise PlanError(f"{where}: load_kg_m2 must not be negative, got {floor.load_kg_m2:g}")
-    for wall in (one, two):
+    for wall in (first, second):
         low, high = floor.extent_m
         if low < wall.origin_m - TOLERANCE_M or high > wall.origin_m + wall.length_m + TOLERANCE_M:
             raise PlanError(f"{where}: extent_m {low:g} to {high:g} leaves wall '{wall.name}'")
@@ -316,10 +316,14 @@ def check(plan, source):
                 raise PlanError(f"{source}: two {kind}s are called '{name}'")
     for wall in plan.walls:
         _check_wall(wall, f"{source}, wall '{wall.name}'")
-    for i, one in enumerate(plan.walls):
-        for two in plan.walls[i + 1 :]:
-            if one.axis == two.axis and overlap_in_plan(one, two) and overlap_in_height(one, two):
-                raise PlanError(f"{source}: walls '{one.name}' and '{two.name}' overlap")
+    for i, first in enumerate(plan.walls):
+        for second in plan.walls[i + 1 :]:
+            if (
+                first.axis == second.axis
+                and overlap_in_plan(first, second)
+                and overlap_in_height(first, second)
+            ):
+                raise PlanError(f"{source}: walls '{first.name}' and '{second.name}' overlap")
     for floor in plan.floors:
         _check_floor(plan, floor, f"{source}, floor '{floor.name}'")
     bond = plan.facade_bond
@@ -329,14 +333,14 @@ def check(plan, source):
         raise PlanError(f"{source}: monitor_floor '{plan.monitor_floor}' is not a floor")
 
 
-def overlap_in_plan(one, two):
+def overlap_in_plan(first, second):
     """Return True if the footprints of two walls share an area."""
     return all(
         min(p[1], q[1]) - max(p[0], q[0]) > TOLERANCE_M
-        for p, q in zip(one.footprint(), two.footprint(), strict=True)
+        for p, q in zip(first.footprint(), second.footprint(), strict=True)
     )
 
 
-def overlap_in_height(one, two):
+def overlap_in_height(first, second):
     """Return True if two walls share a range of heights."""
-    return min(one.top_m, two.top_m) - max(one.base_m, two.base_m) > TOLERANCE_M
+    return min(first.top_m, second.top_m) - max(first.base_m, second.base_m) > TOLERANCE_M
