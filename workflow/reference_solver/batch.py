@@ -39,11 +39,11 @@ def simulate_batch(
     motion, duration = checked(wall, motion, duration_s)
     control = Control(duration, tolerance, stop_d_over_b * wall.b_m)
     angle, rows = theta0_over_alpha * wall.alpha_rad, np.empty((0, COLUMNS))
-    found = [
+    outcomes = [
         run(wall, motion, scale, angle, control, rows)[2:]
         for scale in np.atleast_1d(np.asarray(scales, float))
     ]
-    peak, last, end = (np.array(column) for column in zip(*found, strict=True))
+    peak, last, end = (np.array(column) for column in zip(*outcomes, strict=True))
     return BatchResult(
         peak / wall.b_m,
         peak >= wall.b_m,

@@ -84,8 +84,8 @@ def stack_of(case, nodes, time_s, columns):
     reference solver has.
     """
     refuse_unknown(case)
-    own = dict.fromkeys(("nodes_thickness", "nodes_height", "nodes_per_block"), nodes)
-    scene = build_scene({**case, "numerics": {**case["numerics"], **own}})
+    counts = dict.fromkeys(("nodes_thickness", "nodes_height", "nodes_per_block"), nodes)
+    scene = build_scene({**case, "numerics": {**case["numerics"], **counts}})
     return StackSolver(scene, time_s, columns)
 
 
@@ -100,8 +100,8 @@ def motion_of(time_s, columns, model):
 
 def peak_and_end(case, motion_path, direction, pga_g, *, nodes, tolerance):
     """Largest |d|/b of one history, 1 if it overturns, NaN if it failed; time simulated [s]."""
-    found = outcomes(case, motion_path, direction, [pga_g], nodes=nodes, tolerance=tolerance)
-    return float(found.d_over_b[0]), float(found.end_s[0])
+    told = outcomes(case, motion_path, direction, [pga_g], nodes=nodes, tolerance=tolerance)
+    return float(told.d_over_b[0]), float(told.end_s[0])
 
 
 class Outcomes(NamedTuple):
@@ -136,15 +136,15 @@ def answers(case, motion, direction, pga_g, *, nodes, tolerance):
     else:
         moved = [(columns, scales)]
     rows = []
-    for own, factors in moved:
+    for shaking, factors in moved:
         if one_block(case):
-            moving, wall = motion_of(time_s, own, case["model"]), wall_of(case, nodes)
-            found = simulate_batch(wall, moving, factors, tolerance=tolerance, stop_d_over_b=1.0)
-            status = [{"finished": "ok"}.get(word, word) for word in found.status]
-            rows.append((np.minimum(found.peak_d_over_b, 1.0), status, found.end_time_s))
+            moving, wall = motion_of(time_s, shaking, case["model"]), wall_of(case, nodes)
+            peaks = simulate_batch(wall, moving, factors, tolerance=tolerance, stop_d_over_b=1.0)
+            status = [{"finished": "ok"}.get(word, word) for word in peaks.status]
+            rows.append((np.minimum(peaks.peak_d_over_b, 1.0), status, peaks.end_time_s))
         else:
-            found = stack_of(case, nodes, time_s, own).peaks(factors)
-            rows.append((found.d_over_b, list(found.status), found.end_s))
+            peaks = stack_of(case, nodes, time_s, shaking).peaks(factors)
+            rows.append((peaks.d_over_b, list(peaks.status), peaks.end_s))
     d_over_b, every, end_s = zip(*rows, strict=True)
     told = Outcomes(np.concatenate(d_over_b), sum(every, []), np.concatenate(end_s))
     told.d_over_b[[word == "failed" for word in told.status]] = np.nan

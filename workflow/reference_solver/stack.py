@@ -107,8 +107,8 @@ class StackSolver:
         every = max(1, round(sample_s / step_s))
         length = len(self.start[: 6 * len(self.scene.blocks)]) + COLUMNS
         rows = np.zeros((4 * int(self.driving.time_s[-1] / (every * step_s)) + 2, length))
-        found = self._run(factor, step_s, until_s, stop_d_over_b, rows, every)
-        peak, end, last, written = found
+        outcome = self._run(factor, step_s, until_s, stop_d_over_b, rows, every)
+        peak, end, last, written = outcome
         rows = rows[:written]
         time, d, inertia, joints, supports, kinetic, raised, stored = rows[:, :COLUMNS].T
         given = inertia + supports
@@ -133,8 +133,10 @@ class StackSolver:
     def peaks(self, factors, *, step_s=None, until_s=None, stop_d_over_b=1.0):
         """`StackPeaks` at some factors."""
         none, step_s = np.zeros((0, COLUMNS)), step_s or self.step_s
-        found = [self._run(f, step_s, until_s, stop_d_over_b, none, 1) for f in np.ravel(factors)]
-        peak, end, last, _ = np.array(found, float).T
+        outcomes = [
+            self._run(f, step_s, until_s, stop_d_over_b, none, 1) for f in np.ravel(factors)
+        ]
+        peak, end, last, _ = np.array(outcomes, float).T
         status = [_ended(d / self.thickness_m, stop_d_over_b) for d in last]
         return StackPeaks(np.minimum(peak / self.thickness_m, stop_d_over_b), status, end)
 

@@ -44,9 +44,9 @@ def top(p, state, turn):
     """Displacement of the watched point that is farthest from where it stood, past the foot [m]."""
     farthest = 0.0
     for i in range(p.watched.size):
-        own = p.watched[i]
-        y, _, _, _ = at(p, state, turn, own, p.watched_m[i, 0], p.watched_m[i, 1])
-        d = y - p.centre_m[own, 0] - p.watched_m[i, 0] - state[3 * p.foot]
+        block = p.watched[i]
+        y, _, _, _ = at(p, state, turn, block, p.watched_m[i, 0], p.watched_m[i, 1])
+        d = y - p.centre_m[block, 0] - p.watched_m[i, 0] - state[3 * p.foot]
         if not abs(d) <= abs(farthest):
             farthest = d
     return farthest

@@ -173,8 +173,8 @@ def caption(name):
 
 def shown(path, about, category, result, **labels):
     """An output that the report shows, with the caption `about`."""
-    own = {"run": "{run}", **labels, "result": result}
-    return report(path, caption=caption(about), category=category, labels=own)
+    all_labels = {"run": "{run}", **labels, "result": result}
+    return report(path, caption=caption(about), category=category, labels=all_labels)
 
 
 def shown_table(name, category, result, about=None):
@@ -279,8 +279,8 @@ onstart:
             terminal.warn(filter(None, earlier))
             for name, resolved in RUNS.settings.items():
                 file_times.settle(f"{RESULTS}/{name}")
-                found = chosen(resolved, FIDELITY_FILE, LAW_FILE, RUNS.stated[name])
-                choices = [f"By {BY}.", *found]
+                lines = chosen(resolved, FIDELITY_FILE, LAW_FILE, RUNS.stated[name])
+                choices = [f"By {BY}.", *lines]
                 configuration.write_resolved(resolved, f"{RESULTS}/{name}/config.yaml", choices)
         except (run_lock.Busy, ValueError, OSError) as error:
             stop(error)

@@ -77,7 +77,7 @@ def is_one(patterns, known):
 
 def all_of(*outputs):
     """Input function: outputs of rules, as `of_run` expands them, and input functions, as one list."""
-    functions = [one if callable(one) else of_run(one) for one in outputs]
+    functions = [entry if callable(entry) else of_run(entry) for entry in outputs]
     return lambda w: [path for f in functions for path in as_list(f(w))]
 
 
@@ -91,8 +91,8 @@ def every_run(*outputs):
 
     def files(wildcards=None):
         jobs = [Of(run=run) for run in RUNS.settings]
-        found = [path for job in jobs for path in all_of(*outputs)(job)]
-        return with_pages(list(dict.fromkeys(found)))
+        paths = [path for job in jobs for path in all_of(*outputs)(job)]
+        return with_pages(list(dict.fromkeys(paths)))
 
     return files
 

@@ -82,9 +82,9 @@ def deleted_links(wildcards):
         return []
     kept = [Path(path) for path in of_records(wildcards)]
     named = [(path, Path(made).parents[1].joinpath(*path.parts[-2:])) for path in kept]
-    return [own.as_posix() for path, own in named if not own.exists() or is_other(own, path)]
+    return [name.as_posix() for path, name in named if not name.exists() or is_other(name, path)]
 
 
-def is_other(own, kept):
+def is_other(name, kept):
     """Whether a run's name is of another file than the shared one that is there."""
-    return kept.exists() and not own.samefile(kept)
+    return kept.exists() and not name.samefile(kept)

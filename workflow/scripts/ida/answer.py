@@ -22,18 +22,18 @@ def main(job):
     names = ("answer", "curves", "checked")
     table, curves, checked = (read_frame(job.input[name]) for name in names)
     figure, (axis, strip) = plt.subplots(2, 1, figsize=(6.0, 4.8), sharex=True, gridspec_kw=HEIGHTS)
-    for one in table.to_dict("records"):
-        kind, own = MODELS[one["model"]], curves[curves["model"] == one["model"]]
-        half = one["pga_half_g"]
+    for row in table.to_dict("records"):
+        kind, curve = MODELS[row["model"]], curves[curves["model"] == row["model"]]
+        half = row["pga_half_g"]
         value = f"half fall from {half:.2f} g" if np.isfinite(half) else "fewer than half fall"
         look = {"color": kind.colour, "lw": 1.6, "label": f"{kind.name}, {kind.moved}: {value}"}
-        axis.plot(own["pga_g"], own["probability"], **look)
+        axis.plot(curve["pga_g"], curve["probability"], **look)
     known = curves.dropna(subset=["probability_building"])
     if len(known):
-        own = known[known["model"] == known["model"].iloc[0]]
+        curve = known[known["model"] == known["model"].iloc[0]]
         label = f"the building: a storey drifts {100 * job.params.drift:g} %"
         look = {"color": "0.45", "ls": "--", "lw": 1.2, "label": label}
-        axis.plot(own["pga_g"], own["probability_building"], **look)
+        axis.plot(curve["pga_g"], curve["probability_building"], **look)
     axis.axhline(0.5, color="0.8", lw=0.7, zorder=0)
     axis.set(ylim=(0.0, 1.02), ylabel="probability of collapse [-]")
     common_legend(figure, loc="outside upper left", ncols=1)
@@ -53,9 +53,9 @@ def end_g(table, curves):
 
 def last_rise(curves):
     """PGA up to which the lines rise, and a little more."""
-    own = curves.dropna(subset=["probability"])
-    end = own.groupby("model")["probability"].transform("last")
-    rising = own.loc[own["probability"] < end - FLAT, "pga_g"]
+    known = curves.dropna(subset=["probability"])
+    end = known.groupby("model")["probability"].transform("last")
+    rising = known.loc[known["probability"] < end - FLAT, "pga_g"]
     return MARGIN * rising.max() if len(rising) else curves["pga_g"].max()
 
 
@@ -66,11 +66,11 @@ def draw_checks(strip, names, checked):
         said += "; crossed out: not as foretold"
     strip.set_title(said, loc="left", fontsize=7.5)
     for place, name in enumerate(reversed(names)):
-        kind, own = MODELS[name], checked[checked["model"] == name]
+        kind, runs = MODELS[name], checked[checked["model"] == name]
         for fell, face in ((0, kind.colour), (1, "white")):
-            rows = own[own["fell"] == fell]
+            rows = runs[runs["fell"] == fell]
             strip.plot(rows["pga_g"], [place] * len(rows), kind.marker, color=kind.colour, mfc=face)
-        other = own[own["fell"] != own["foretold"]]
+        other = runs[runs["fell"] != runs["foretold"]]
         strip.plot(other["pga_g"], [place] * len(other), "x", color="black", ms=9)
     ticks(strip.yaxis, range(len(names)), list(reversed(names)))
     strip.set_ylim(-0.6, len(names) - 0.4)

@@ -72,7 +72,9 @@ def main(job):
                 beside.set_xlabel("share that falls:\nwhite 0, full 1")
                 ticks(beside.xaxis, range(len(models)), models)
                 beside.tick_params("x", labelsize=6.5, rotation=90 if len(models) > 2 else 0)
-    shares = any(len(own) and own["probability_yade"].notna().any() for own in tables.values())
+    shares = any(
+        len(table) and table["probability_yade"].notna().any() for table in tables.values()
+    )
     more = symbols(bool(scans), shares)
     common_legend(figure, more=more, loc="outside upper center", ncols=3 if shape[1] == 1 else 6)
     style.save(figure, job.output, job.input.facts)

@@ -19,8 +19,8 @@ def main(job):
     table = headed(curve.table, **key)
     # so many that no amplitude is rounded into a neighbouring window of 1 %
     write_table(table, job.output.scan, digits="%.8g")
-    found = plan(table, {**case["ida"], **ida}, case["ensemble"])
-    write_json(job.output.plan, found, indent=None)
+    planned = plan(table, {**case["ida"], **ida}, case["ensemble"])
+    write_json(job.output.plan, planned, indent=None)
 
 
 run(main, globals())

@@ -27,11 +27,11 @@ def main(job):
     checked = together(checks) if checks else pd.DataFrame(columns=CHECKED)
     rows, shares, at_g = [], [], answer.grid(tables.values())
     for model in p.models:
-        own = [table for key, table in tables.items() if key[0] == model]
+        of_model = [table for key, table in tables.items() if key[0] == model]
         counts = len(p.stations), len({*p.stations.values()})
         mine = collapse[collapse["model"] == model], checked[checked["model"] == model]
-        rows.append(answer.row(model, MODELS[model].moved, *counts, own, *mine))
-        shares.append(answer.shares(own, at_g).assign(model=model))
+        rows.append(answer.row(model, MODELS[model].moved, *counts, of_model, *mine))
+        shares.append(answer.shares(of_model, at_g).assign(model=model))
     write_table(rows, job.output.answer, answer.COLUMNS, digits="%.4f")
     write_table(together(shares), job.output.curves, ["model", *answer.SHARED], digits="%.4f")
     write_table(checked, job.output.checked, CHECKED, digits="%.4f")

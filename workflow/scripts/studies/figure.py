@@ -21,8 +21,8 @@ def read(given):
 
 def main(job):
     study = import_module(f"studies.{job.params.study}.figure")
-    found = {name: read(given) for name, given in job.input.items() if name not in NOT_DRAWN}
-    style.save(study.draw(**found), job.output, job.input.facts)
+    inputs = {name: read(given) for name, given in job.input.items() if name not in NOT_DRAWN}
+    style.save(study.draw(**inputs), job.output, job.input.facts)
 
 
 run(main, globals())
