@@ -38,11 +38,11 @@ def scan(job, motion_path, direction, settings, start_g):
     parts: list[pd.DataFrame] = []
 
     def run(ask):
-        found = outcomes(job, motion_path, direction, ask.pga_g, nodes=nodes, tolerance=tolerance)
+        answer = outcomes(job, motion_path, direction, ask.pga_g, nodes=nodes, tolerance=tolerance)
         level = int(not ask.realisations)
-        table = pd.DataFrame({"pga_g": ask.pga_g, "level": level, "d_over_b": found.d_over_b})
-        parts.append(table.assign(status=found.status))
-        return found.status
+        table = pd.DataFrame({"pga_g": ask.pga_g, "level": level, "d_over_b": answer.d_over_b})
+        parts.append(table.assign(status=answer.status))
+        return answer.status
 
     drive(dense(start_g, {**settings, "fine_step": settings["reference_scan_step"]}), run)
     table = pd.concat(parts).sort_values("pga_g", ignore_index=True)

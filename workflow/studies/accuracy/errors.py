@@ -40,11 +40,11 @@ def plan_runs(drawn, settings, scenes):
     keys = ["case", "model", "record", "direction", "pga_g"]
     runs = []
     for case in drawn.sort_values(["record", "case"])[keys].to_dict("records"):
-        one = {**case, "method": GRID, "nodes": None, "step_fraction": None, "factor": 1.0}
+        run = {**case, "method": GRID, "nodes": None, "step_fraction": None, "factor": 1.0}
         grid = list(itertools.product(settings["nodes"], settings["step_fractions"]))
         if chosen_pair(scenes[case["model"]]) not in grid:
-            runs.append(one)
-        runs += [{**one, "nodes": n, "step_fraction": f} for n, f in grid]
+            runs.append(run)
+        runs += [{**run, "nodes": n, "step_fraction": f} for n, f in grid]
     return runs
 
 

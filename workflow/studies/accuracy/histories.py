@@ -76,8 +76,8 @@ class PeakSolver:
             fell = self.peaks(ask.pga_g, SCAN_NODES, SCAN_STEP).overturned
             return np.where(fell, "overturned", "ok")
 
-        found = drive(search.first(levels[levels < highest_g]), run)
-        return highest_g if math.isnan(found) else found
+        lowest = drive(search.first(levels[levels < highest_g]), run)
+        return highest_g if math.isnan(lowest) else lowest
 
 
 def reference_of(solver, pga_g, settings):

@@ -39,13 +39,13 @@ def _of_modes(modes):
     }
     rows = []
     for model, y, rz in (("CBDEM", 0.25, 0.16), ("SBDEM", 0.27, 0.17)):
-        found = period[model, "y"], period[model, "rz"]
-        good = max(abs(found[0] - y), abs(found[1] - rz)) <= PERIOD_TOLERANCE_S + 1e-9
+        periods = period[model, "y"], period[model, "rz"]
+        good = max(abs(periods[0] - y), abs(periods[1] - rz)) <= PERIOD_TOLERANCE_S + 1e-9
         rows.append(
             statement(
                 f"periods of {model}: translation along y, rotation about z",
                 f"{y:g} s, {rz:g} s",
-                f"{found[0]:.3f} s, {found[1]:.3f} s (within {PERIOD_TOLERANCE_S:g} s)",
+                f"{periods[0]:.3f} s, {periods[1]:.3f} s (within {PERIOD_TOLERANCE_S:g} s)",
                 good,
                 OURS,
             )

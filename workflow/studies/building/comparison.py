@@ -43,13 +43,13 @@ def top_motion(time_s, acceleration_m_s2, longest_period_s, highest_hz):
     dt = (time_s[-1] - time_s[0]) / (len(time_s) - 1)
     periods = np.linspace(0.02, longest_period_s, 199)
     response = smdof.response_spectrum(acceleration_m_s2, dt, periods)
-    found = smdof.power_spectrum(acceleration_m_s2, dt)
-    low = found.frequency_hz <= highest_hz
+    power = smdof.power_spectrum(acceleration_m_s2, dt)
+    low = power.frequency_hz <= highest_hz
     return TopMotion(
         {
             "acceleration": (np.asarray(time_s), np.asarray(acceleration_m_s2)),
             "response_spectrum": (periods, response.psa_m_s2),
-            "power_spectrum": (found.frequency_hz[low], found.power_m2_s3[low]),
+            "power_spectrum": (power.frequency_hz[low], power.power_m2_s3[low]),
         }
     )
 

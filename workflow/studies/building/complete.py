@@ -33,10 +33,14 @@ def complete_building(config, plan, load_kg_m2, model, beta_s, coarsening=None):
     building.damping_ratio in the first mode along y of what stands behind the crack) and
     mass_behind_kg.
     """
-    settings, own = config["building"], config["complete"]
+    settings, section = config["building"], config["complete"]
     left, crack = complete.behind(plan)
     building = build_model(
-        settings, left, "CBDEM", load_kg_m2, own["coarsening"] if coarsening is None else coarsening
+        settings,
+        left,
+        "CBDEM",
+        load_kg_m2,
+        section["coarsening"] if coarsening is None else coarsening,
     )
     modes = Solver(complete.with_rigid_floors(building)).modes(MODES)
     rate = mass_damping_rate(modes.omega[translation_mode(modes)], settings["damping_ratio"])
@@ -62,9 +66,9 @@ def scene_of(config, job, model, coarsening=None, extra_nodes=0):
     load = read_json(job.input.fit)["floor_load_kg_m2"]
     beta = beta_for(config, job.input.law)
     numerics = perturbed_numerics(config["numerics"], Realisation(0, 1.0, extra_nodes=extra_nodes))
-    own = config["complete"]
-    own = {**own, "nodes_per_course": own["nodes_per_course"] + extra_nodes}
-    config = {**config, "numerics": numerics, "complete": own}
+    section = config["complete"]
+    section = {**section, "nodes_per_course": section["nodes_per_course"] + extra_nodes}
+    config = {**config, "numerics": numerics, "complete": section}
     plan = read_plan(job.input.plan)
     return complete_building(config, plan, load, model, beta, coarsening), beta
 
@@ -94,8 +98,8 @@ def linear_history(scene, points, time_s, ground_m_s2):
     modes = Solver(scene).modes(LINEAR_MODES)
     triplets = stiffness.assemble(scene)
     c, n = sparse_of(triplets, triplets.c).tocsr(), len(modes.omega)
-    zero, one = np.zeros((n, n)), np.eye(n)
-    a = np.block([[zero, one], [-np.diag(modes.omega**2), -modes.phi.T @ (c @ modes.phi)]])
+    zero, identity = np.zeros((n, n)), np.eye(n)
+    a = np.block([[zero, identity], [-np.diag(modes.omega**2), -modes.phi.T @ (c @ modes.phi)]])
     b = np.concatenate([np.zeros(n), -modes.participation[:, 1]])[:, None]
     rows = [np.flatnonzero((modes.dof[:, 0] == p) & (modes.dof[:, 1] == 1))[0] for p in points]
     shape = np.hstack([modes.phi[rows], np.zeros((len(rows), n))])
@@ -119,14 +123,14 @@ def plan_of(scan, spread, step, most):
     is the half width of the window of a probability.
     """
     table = from_scan(scan, spread)
-    found = collapse_ranges(table["pga_g"].to_numpy(), table["probability"].to_numpy())
+    ranges = collapse_ranges(table["pga_g"].to_numpy(), table["probability"].to_numpy())
     start = scan["pga_g"].max()
-    if found:
-        low, high = found[0]
+    if ranges:
+        low, high = ranges[0]
         start = min(0.5 * (low + high), low * (1.0 + step))
     between = [
-        0.5 * (one + two)
-        for (_, b), (c, d) in itertools.islice(itertools.pairwise(found), most)
-        for one, two in ((b, c), (c, d))
+        0.5 * (lower + upper)
+        for (_, b), (c, d) in itertools.islice(itertools.pairwise(ranges), most)
+        for lower, upper in ((b, c), (c, d))
     ]
     return {"start_g": round(float(start), DIGITS), "ranges": [round(g, DIGITS) for g in between]}

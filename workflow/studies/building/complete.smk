@@ -52,11 +52,11 @@ def history_motion(wildcards):
 
 def history_options(wildcards):
     """Options of a history of the checks."""
-    own, kind = complete_settings(wildcards.run), wildcards.kind
-    pga_g = own["check_pga_g" if kind == "level" else "linear_pga_g"]
-    options = [f"--direction {own['check_direction']} --pga {pga_g:g}"]
+    settings, kind = complete_settings(wildcards.run), wildcards.kind
+    pga_g = settings["check_pga_g" if kind == "level" else "linear_pga_g"]
+    options = [f"--direction {settings['check_direction']} --pga {pga_g:g}"]
     if kind in ("linear", "level"):
-        until_s = own[f"{'check' if kind == 'level' else kind}_duration_s"]
+        until_s = settings[f"{'check' if kind == 'level' else kind}_duration_s"]
         options.append(f"--until {until_s:g}")
     return " ".join(options + ["--apart"] * (kind == "apart"))
 

@@ -43,12 +43,12 @@ def differences(explicit, modal, points):
     explicit, modal, point, quantity, wme.
     """
     rows = []
-    for name, one in explicit.items():
-        for other, two in modal.items():
+    for name, run in explicit.items():
+        for other, answer in modal.items():
             for i, point in enumerate(points):
-                values = two.acceleration_m_s2[i], two.displacement_m[i]
+                values = answer.acceleration_m_s2[i], answer.displacement_m[i]
                 for (quantity, first), value in zip(FIRST_COLUMN.items(), values, strict=True):
-                    grid = smdof.common_grid(two.time_s, value, one[:, 0], one[:, first + i])
+                    grid = smdof.common_grid(answer.time_s, value, run[:, 0], run[:, first + i])
                     rows.append((name, other, point, quantity, smdof.weighted_mean_error(*grid)))
     return rows
 

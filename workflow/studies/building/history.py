@@ -51,10 +51,10 @@ def modal_history(modes, blocks, ground_m_s2, dt_s, rate_1_s, *, direction="y", 
     axis = DIRECTIONS.index(direction)
     rows = []
     for block in blocks:
-        found = np.flatnonzero((modes.dof[:, 0] == block) & (modes.dof[:, 1] == axis))
-        if not len(found):
+        equations = np.flatnonzero((modes.dof[:, 0] == block) & (modes.dof[:, 1] == axis))
+        if not len(equations):
             raise ValueError(f"block {block} is not free along {direction}")
-        rows.append(found[0])
+        rows.append(equations[0])
     driven = modes.effective_ratio[:, axis] >= SMALLEST_RATIO
     if gravity_m_s2:
         driven |= modes.effective_ratio[:, 2] >= SMALLEST_RATIO

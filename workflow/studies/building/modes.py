@@ -153,8 +153,8 @@ class Solver:
         """
         mass = self.mass.copy()
         for block, extra in added_kg.items():
-            own = self.dof[:, 0] == block
-            mass[own] *= 1.0 + extra / self.scene.blocks[block].mass_kg
+            equations = self.dof[:, 0] == block
+            mass[equations] *= 1.0 + extra / self.scene.blocks[block].mass_kg
         return mass
 
     def modes(self, count, mass=None):

@@ -82,14 +82,14 @@ def reduction(scene, count):
         parts = ((1, 1.0), (3, -z), (5, x)), ((2, 1.0), (3, y), (4, -x)), ((3, 1.0),)
         for axis, part in enumerate(parts):
             for freedom, share in part:
-                own = (solver.dof == (end, freedom)).all(axis=1)
-                pick[own, column + axis * len(ends)] = share
+                equation = (solver.dof == (end, freedom)).all(axis=1)
+                pick[equation, column + axis * len(ends)] = share
     static = np.stack([solver.static(force) for force in pick.T], axis=1)
     rest = static - modes.phi @ ((modes.phi.T @ pick) / modes.omega[:, None] ** 2)
     rest /= np.sqrt(np.einsum("ij,i,ij->j", rest, solver.mass, rest))
     basis = np.hstack([modes.phi, rest])
-    squared, own = eigh(basis.T @ (solver.k @ basis), basis.T @ (solver.mass[:, None] * basis))
-    phi = basis @ own
+    squared, vectors = eigh(basis.T @ (solver.k @ basis), basis.T @ (solver.mass[:, None] * basis))
+    phi = basis @ vectors
     along = solver.mass * (solver.dof[:, 1] == 1)
     hang, lift, roll = np.split(pick.T @ phi, 3)
     moving = np.einsum("ij,i,ij->j", phi, solver.mass * (solver.dof[:, 1] < 3), phi)
@@ -115,8 +115,8 @@ def in_plane(scene, ends):
     mine = (nodes.a == facade) | back
     place = np.full(len(scene.blocks), -1)
     place[kept] = np.arange(len(kept))
-    own = nodes.select(mine, a=place[nodes.a[mine]], b=place[nodes.b[mine]])
-    return replace(scene, blocks=blocks, nodes=own)
+    kept_nodes = nodes.select(mine, a=place[nodes.a[mine]], b=place[nodes.b[mine]])
+    return replace(scene, blocks=blocks, nodes=kept_nodes)
 
 
 class ReducedScan(Scan):

@@ -43,10 +43,10 @@ def by_beta(free, wall):
 
 def _at(betas, wanted):
     """Indices of the runs at the listed β."""
-    found = [int(np.argmin(np.abs(np.log(betas / b)))) for b in wanted]
-    if not np.allclose(betas[found], wanted, rtol=0.01):
+    indices = [int(np.argmin(np.abs(np.log(betas / b)))) for b in wanted]
+    if not np.allclose(betas[indices], wanted, rtol=0.01):
         raise ValueError(f"free rocking: expected runs at β = {wanted} s")
-    return np.array(found)
+    return np.array(indices)
 
 
 def _closest(betas, ratio, impacts):
@@ -118,11 +118,11 @@ def evaluate(free, fits, walls, wall="sorrentino", release=0.5):
 
 
 def _of_equations():
-    found = {name: closed_forms.beta_one_sided(*wall) for name, wall in EQ5_WALLS.items()}
-    off = 1.0 - found["Sorrentino"] / TEST_BETA_S
-    shawa = abs(found["Shawa"] / SHAWA_TRIAL_S - 1.0)
+    betas = {name: closed_forms.beta_one_sided(*wall) for name, wall in EQ5_WALLS.items()}
+    off = 1.0 - betas["Sorrentino"] / TEST_BETA_S
+    shawa = abs(betas["Shawa"] / SHAWA_TRIAL_S - 1.0)
     return [
-        *(_as_printed(name, value) for name, value in found.items()),
+        *(_as_printed(name, value) for name, value in betas.items()),
         statement(
             "eq. 5 is within 5 % of the β that matches the test",
             "5 % (0.00095 against 0.001 s)",

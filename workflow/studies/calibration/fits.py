@@ -78,7 +78,7 @@ def row_of(wall):
         "beta_max_s": study.single_block_maximum(case["config"]),
         "beta_eq5_s": printed(facade),
         "runs": len(wall["found"]),
-        "runs_with_three_impacts": sum(len(found) >= 3 for found in wall["found"]),
+        "runs_with_three_impacts": sum(len(observed) >= 3 for observed in wall["found"]),
         "remark": remark_on(
             fit,
             "no β gives three impacts",
@@ -111,8 +111,8 @@ def rows_of_own(fit, measured, config, law_file):
         return
     groups = calibration.groups(config)
     beta, low, high = law.predict(groups)
-    found = {"beta_s": beta, "low_s": low, "high_s": high}
-    yield {"source": "fitted law", **found, "remark": law.outside(groups) or "band: 90 %"}
+    predicted = {"beta_s": beta, "low_s": low, "high_s": high}
+    yield {"source": "fitted law", **predicted, "remark": law.outside(groups) or "band: 90 %"}
 
 
 def rebounds_meant(wall):

@@ -315,14 +315,14 @@ def evaluate(cases, histories):
         runs, facade = by_wall[case["id"]], case["config"]["facade"]
         if [r["beta_s"] for r in runs] != case["beta_s"]:
             raise ValueError(f"histories of wall '{case['id']}' do not belong to its case")
-        found = [rebounds(r["time_s"], r["theta_over_alpha"]) for r in runs]
+        observed = [rebounds(r["time_s"], r["theta_over_alpha"]) for r in runs]
         out.append(
             {
                 "case": case,
                 "e_1sr": e_one_sided(facade["height_m"], facade["thickness_m"]),
                 "beta_s": np.array(case["beta_s"]),
-                "found": found,
-                "e": np.array([e_exp(f) for f in found]),
+                "found": observed,
+                "e": np.array([e_exp(f) for f in observed]),
                 "histories": runs,
             }
         )

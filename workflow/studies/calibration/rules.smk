@@ -4,8 +4,8 @@ from studies.calibration import FREE_ROCKING_HIGH_S, FREE_ROCKING_LOW_S
 
 def groups(run):
     """Parts of the free-rocking study, a job each."""
-    own = RUNS.settings[run]["calibration"]
-    count = len(own["thickness_m"]) * len(own["e_mpa"])
+    settings = RUNS.settings[run]["calibration"]
+    count = len(settings["thickness_m"]) * len(settings["e_mpa"])
     batches = [f"batch{i}" for i in range(1, count + 1)]
     return [*batches, "sensitivity", "free_rocking_wall"]
 
@@ -19,16 +19,18 @@ def tested_wall(wildcards):
 
 def cases_settings(wildcards):
     """What a part depends on: an own wall is the configuration's, the study brings its own."""
-    own = ("facade", "return_wall", "smdof", "numerics")
-    return RUNS.params_of("calibration", *(own if wildcards.group == "own_wall" else ()))(wildcards)
+    sections = ("facade", "return_wall", "smdof", "numerics")
+    return RUNS.params_of("calibration", *(sections if wildcards.group == "own_wall" else ()))(
+        wildcards
+    )
 
 
 def is_studied(run):
     """Whether the walls and values of β are those that the study makes claims of."""
-    own = RUNS.settings[run]["calibration"]
+    settings = RUNS.settings[run]["calibration"]
     values = {*FREE_ROCKING_LOW_S, *FREE_ROCKING_HIGH_S}
-    tested = Path(own["free_rocking_wall"]).stem == "sorrentino"
-    return tested and values <= set(own["free_rocking_beta_s"])
+    tested = Path(settings["free_rocking_wall"]).stem == "sorrentino"
+    return tested and values <= set(settings["free_rocking_beta_s"])
 
 
 rule calibration_cases:

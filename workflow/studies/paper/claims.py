@@ -49,9 +49,9 @@ def _pair(capacity, first, second):
     return (both[first], both[second]) if len(both) else None
 
 
-def _compare(found, first, second, want, strict=False):
+def _compare(curves, first, second, want, strict=False):
     """Whether `first` is below ("<") or above (">") `second` in every case; text and verdict."""
-    capacity, width, bound = found
+    capacity, width, bound = curves
     if first not in capacity or second not in capacity:
         return None
     pair = capacity[[first, second]]
@@ -80,8 +80,8 @@ def evaluate(collapse, static_peak, agreement=None):
     `static_peak` is the peak λ of the pushover by model, `agreement` λ0 of it over the kinematic
     one, and the rule it was pushed with.
     """
-    found = capacities(collapse)
-    capacity, peak, rows = found[0], static_peak.get("W3"), []
+    curves = capacities(collapse)
+    capacity, peak, rows = curves[0], static_peak.get("W3"), []
 
     def claim(words, paper, result, threshold=OURS):
         if result is not None:
@@ -89,7 +89,7 @@ def evaluate(collapse, static_peak, agreement=None):
 
     def order(first, want, second, words, paper, strict=False):
         """Add a statement that the order of two models decides."""
-        claim(words, paper, _compare(found, first, second, want, strict), STUDY)
+        claim(words, paper, _compare(curves, first, second, want, strict), STUDY)
 
     order("W2", "<", "W1", "W2 is equally or more vulnerable than W1", "all eight curves")
     claim(
@@ -136,11 +136,11 @@ def evaluate(collapse, static_peak, agreement=None):
     return rows
 
 
-def _agreement(found):
+def _agreement(pushed):
     """λ0 of the pushover over the kinematic one; text and verdict."""
-    if found is None:
+    if pushed is None:
         return None
-    ratio, rule = found
+    ratio, rule = pushed
     by = ", by construction" if rule == "hinged" else ""
     return f"λ0 {ratio:.2f} times (header joint {rule}{by})", bool(abs(ratio - 1.0) <= AGREEMENT)
 
@@ -157,8 +157,8 @@ def _largest_reduction(capacity, half):
     if reduction is None:
         return None
     said = [
-        f"{100 * one.max():.0f} % ({one.idxmax()}); median {100 * one.median():.0f} %"
-        for one in (reduction, by_half)
+        f"{100 * loss.max():.0f} % ({loss.idxmax()}); median {100 * loss.median():.0f} %"
+        for loss in (reduction, by_half)
     ]
     return (
         f"{said[0]}; by half collapse {said[1]}",
@@ -212,11 +212,11 @@ def _no_help(capacity):
 def _against_static(capacity, peak, records, near):
     if peak is None or "W3" not in capacity:
         return None
-    found = capacity["W3"].dropna()
-    found = found[[case[:-1] in records for case in found.index]]
-    if not len(found):
+    of_w3 = capacity["W3"].dropna()
+    of_w3 = of_w3[[case[:-1] in records for case in of_w3.index]]
+    if not len(of_w3):
         return None
-    ratio = found / peak
+    ratio = of_w3 / peak
     text = (
         f"{ratio.min():.2f} to {ratio.max():.2f} times λ = {peak:.3f} ("
         + ", ".join(f"{case} {value:.2f}" for case, value in ratio.items())

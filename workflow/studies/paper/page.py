@@ -44,11 +44,11 @@ def row(entry, tables):
     """
     here, met = [], entry.get("met")
     if "here" in entry:
-        found = {
+        values = {
             key: value(tables.get(spec["table"]), spec)
             for key, spec in entry.get("values", {}).items()
         }
-        here.append(entry["here"].format(**found))
+        here.append(entry["here"].format(**values))
     if "claim" in entry:
         verdicts, text = _claim(entry["claim"], tables)
         here.append(text)
@@ -68,16 +68,16 @@ def _claim(start, tables):
     if not made:
         return [], NOT_RUN
     claims = pd.concat(made, ignore_index=True)
-    found = claims[claims["claim"].str.startswith(start)]
-    if not len(found):
+    lines = claims[claims["claim"].str.startswith(start)]
+    if not len(lines):
         return [], NOT_RUN
     texts = []
-    for line in found.fillna("").itertuples():
+    for line in lines.fillna("").itertuples():
         source = line.records.split(":")[0] if ":" in line.records else ""
         source = f"{SOURCES.get(source, source)}: " if source else ""
         whose = "" if line.threshold == STUDY else "†"
         texts.append(f"{source}{line.measured}{whose}")
-    return found["holds"].tolist(), "; ".join(texts)
+    return lines["holds"].tolist(), "; ".join(texts)
 
 
 def markdown(heading, rows):
@@ -99,10 +99,10 @@ def records(data, tables):
         cells = [f"{p:g}" for p in paper]
         source = NOT_RUN
         if made is not None and name in made.index:
-            one = made.loc[name]
-            source = _source(one)
+            motion = made.loc[name]
+            source = _source(motion)
             columns = ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
-            cells = [f"{one[c]:.3g} ({p:g})" for c, p in zip(columns, paper, strict=True)]
+            cells = [f"{motion[c]:.3g} ({p:g})" for c, p in zip(columns, paper, strict=True)]
         rows.append([name, source, *cells])
     heading = ["record", "source", "PGA [g]", "PGV [cm/s]", "PGD [cm]", "duration [s]"]
     return markdown(heading, rows)
@@ -136,7 +136,9 @@ def collapse(data, tables):
         curve=table["record"] + table["direction"].map({"pos": "+", "neg": "−"}),
     )
     made = tables.get("records")
-    sources = {} if made is None else {one["record"]: _source(one) for _, one in made.iterrows()}
+    sources = (
+        {} if made is None else {motion["record"]: _source(motion) for _, motion in made.iterrows()}
+    )
     motions = dict(zip(table["curve"], table["record"], strict=True))
     wide = table.pivot(index="curve", columns="model", values=["pga", "half"])
     models = list(dict.fromkeys(table["model"]))
@@ -146,9 +148,9 @@ def collapse(data, tables):
     for curve in dict.fromkeys(table["curve"]):
         cells = []
         for model in models:
-            one, half = (wide.loc[curve, (of, model)] for of in ("pga", "half"))
+            pga, half = (wide.loc[curve, (of, model)] for of in ("pga", "half"))
             beside = f" ({half:.3f})" if both else ""
-            cells.append("–" if math.isnan(one) else f"{one:.3f}{beside}")
+            cells.append("–" if math.isnan(pga) else f"{pga:.3f}{beside}")
         rows.append([curve, sources.get(motions[curve], NOT_RUN), *cells])
     return markdown([said, "motion", *models], rows)
 

@@ -16,10 +16,10 @@ def made_by(names):
     """Input function: the table or picture of each of these rules that there is."""
 
     def files(wildcards):
-        found = [getattr(rules, name) for name in names if hasattr(rules, name)]
+        present = [getattr(rules, name) for name in names if hasattr(rules, name)]
         outputs = [
             getattr(rule.output, OF_SEVERAL.get(rule.rule.name, "png"), rule.output[0])
-            for rule in found
+            for rule in present
         ]
         return all_of(*(of_run(path, record="RRS228") for path in outputs))(wildcards)
 

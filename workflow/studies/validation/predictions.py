@@ -88,8 +88,10 @@ def shake_table(specimen, runs, folder, in_yade, cores):
         raise ConfigError(f"{folder}: expected files named {specimen['motions']['files']}")
     runs, drawn = runs[had], drawn[had]
     motions = [motion for motion in motions if motion is not None]
-    found = {name: specimens.case(specimen, own) for name, own in specimen["variants"].items()}
-    main = dict(list(found.items())[:IN_YADE])
+    cases = {
+        name: specimens.case(specimen, changes) for name, changes in specimen["variants"].items()
+    }
+    main = dict(list(cases.items())[:IN_YADE])
     with ProcessPoolExecutor(cores, multiprocessing.get_context("fork")) as pool:
         tests = [
             specimens.walls_test(case, f"{variant}|{number}", f"{number}.csv")
@@ -100,10 +102,10 @@ def shake_table(specimen, runs, folder, in_yade, cores):
         shaken = [pool.submit(_by_yade, part, runs, motions) for part in parts if part]
         planar = [
             pool.submit(_planar_rows, name, case, runs, motions, drawn if name in main else None)
-            for name, case in found.items()
+            for name, case in cases.items()
         ]
         rows = [row for part in planar for row in part.result()]
-        done = {one["id"]: one for part in shaken for one in part.result()}
+        done = {outcome["id"]: outcome for part in shaken for outcome in part.result()}
     rows += [_yade_row(test, done[test["id"]], runs, motions) for test in tests]
     return pd.DataFrame(rows)
 

@@ -62,9 +62,9 @@ def predict(runs):
                 }
             ),
         )
-        found = estimate(case)
-        medians.append(found.median)
-        chances.append(float(found.probability(row["pga_g"])))
+        curve = estimate(case)
+        medians.append(curve.median)
+        chances.append(float(curve.probability(row["pga_g"])))
     return runs.assign(half_collapse_g=medians, probability_of_fall=chances)
 
 
@@ -95,8 +95,8 @@ def main(words=None):
         return 1
     table.round(4).to_csv(Path(given.folder) / "predicted.csv", index=False)
     sys.stdout.write(table.round(3).to_string(index=False) + "\n")
-    if found := score(table):
-        sys.stdout.write(", ".join(f"{key} {value:.3g}" for key, value in found.items()) + "\n")
+    if scores := score(table):
+        sys.stdout.write(", ".join(f"{key} {value:.3g}" for key, value in scores.items()) + "\n")
     return 0
 
 

@@ -34,23 +34,23 @@ def case(specimen, changes=(), height_m=None):
     if height_m is not None:
         given["facade"]["height_m"] = height_m
     resolved = resolve({**as_in_the_study(given), "models": ["W1"]})
-    found = {key: resolved[key] for key in SECTIONS}
-    facade = found["facade"]
+    sections = {key: resolved[key] for key in SECTIONS}
+    facade = sections["facade"]
     if facade["hinges_m"] == "weakest":
         facade["hinges_m"] = [weakest_hinge(facade)]
-    found |= {"model": specimen["model"], "beta_s": 0.0}
-    found["observed_m"] = specimen["observed"].get("height_m")
+    sections |= {"model": specimen["model"], "beta_s": 0.0}
+    sections["observed_m"] = specimen["observed"].get("height_m")
     if period := specimen.get("first_period_s"):
-        fit_period(found, period, specimen.get("fitted", E_KEY))
-    found["beta_s"] = beta_for(found, damping)
-    return found
+        fit_period(sections, period, specimen.get("fitted", E_KEY))
+    sections["beta_s"] = beta_for(sections, damping)
+    return sections
 
 
 def walls_test(case, name, motion):
     """A case under one motion as it is, in the form that YADE's command `walls` takes."""
-    found = {key: case[key] for key in ("model", "beta_s", "observed_m")}
-    found["config"] = {key: case[key] for key in SECTIONS}
-    return {**found, "factor": 1.0, "id": name, "motion": motion}
+    entry = {key: case[key] for key in ("model", "beta_s", "observed_m")}
+    entry["config"] = {key: case[key] for key in SECTIONS}
+    return {**entry, "factor": 1.0, "id": name, "motion": motion}
 
 
 def planar_step(planar, numerics):

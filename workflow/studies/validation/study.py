@@ -63,15 +63,15 @@ def files(folder, below=()):
     if folder.name in below:
         raise ConfigError(f"{path}: like: expected another experiment, not {below[-1]} again")
     tables = [folder / name for name in ("runs.csv", "measured.csv")]
-    found = [path, *(table for table in tables if table.is_file())]
+    paths = [path, *(table for table in tables if table.is_file())]
     like = yaml.safe_load(path.read_text("utf-8")).get("like")
-    return found + (files(folder.parent / like, (*below, folder.name)) if like else [])
+    return paths + (files(folder.parent / like, (*below, folder.name)) if like else [])
 
 
-def over(under, own):
+def over(under, above):
     """Mappings, one over the other, section by section; but variants and damping as a whole."""
-    both = {k: over(under[k], own[k]) for k in SECTIONAL & under.keys() & own.keys()}
-    return {**under, **own, **both}
+    both = {k: over(under[k], above[k]) for k in SECTIONAL & under.keys() & above.keys()}
+    return {**under, **above, **both}
 
 
 def read(folder):
@@ -128,11 +128,11 @@ def quartiles(experiment):
     """By run p25, median and p75 of what was measured, or the range stated, and how many trials."""
     unit, table = experiment.unit, experiment.measured.set_index("run")
     trials = table[f"measured_{unit}"].groupby(level=0)
-    found = trials.quantile([0.25, 0.5, 0.75]).unstack()
-    found.columns = ["p25", "median", "p75"]
+    by_run = trials.quantile([0.25, 0.5, 0.75]).unstack()
+    by_run.columns = ["p25", "median", "p75"]
     if f"low_{unit}" in table:
-        found["p25"], found["p75"] = table[f"low_{unit}"], table[f"high_{unit}"]
-    return found.assign(trials=trials.size())
+        by_run["p25"], by_run["p75"] = table[f"low_{unit}"], table[f"high_{unit}"]
+    return by_run.assign(trials=trials.size())
 
 
 def motion(experiment, run, folder, table):
@@ -185,12 +185,12 @@ def peaks_of_spans(time_s, d, spans, status):
 
     A history that came to rest ("ok") may end before its last span does.
     """
-    found = []
+    peaks = []
     for begin, end in spans:
         inside = (time_s >= begin) & (time_s < end)
         whole = inside.any() and (status == "ok" or time_s[-1] >= end)
-        found.append(np.abs(d[inside] - d[inside][0]).max() if whole else math.nan)
-    return found
+        peaks.append(np.abs(d[inside] - d[inside][0]).max() if whole else math.nan)
+    return peaks
 
 
 def factors(seed, runs, members, band):
@@ -201,8 +201,8 @@ def factors(seed, runs, members, band):
 
 def ratio(table, over, under):
     """Geometric mean of the ratio of two columns, and e to its standard deviation of ln ratio."""
-    found = Ratios(table[over] / table[under])
-    return found.mean, math.exp(found.scatter)
+    ratios = Ratios(table[over] / table[under])
+    return ratios.mean, math.exp(ratios.scatter)
 
 
 def steady(table):
@@ -213,10 +213,10 @@ def steady(table):
     """
     members = table["fell"].fillna(0) if "fell" in table else 0
     peak = table[[name for name in table if name.startswith("peak_")][0]]
-    own = table.assign(falls=(table["status"] != "ok") | (members > 0), peak=peak)
-    own = own.groupby(["variant", "how", "run"])
-    high, low = own["peak"].transform("max"), own["peak"].transform("min")
-    return ~own["falls"].transform("any"), high >= APART * low
+    runs = table.assign(falls=(table["status"] != "ok") | (members > 0), peak=peak)
+    runs = runs.groupby(["variant", "how", "run"])
+    high, low = runs["peak"].transform("max"), runs["peak"].transform("min")
+    return ~runs["falls"].transform("any"), high >= APART * low
 
 
 def summary(experiment, table):

@@ -21,13 +21,13 @@ def main(job):
         solver = PeakSolver(scenes[case["model"]], *motion, case["direction"])
         for nodes, step in [grid[0], *grid]:  # the first one compiles
             began = time.perf_counter()
-            found = solver.peaks(case["pga_g"], nodes, step)
+            peaks = solver.peaks(case["pga_g"], nodes, step)
             wall = time.perf_counter() - began
-            status = "failed" if found.failed[0] else "overturned" if found.overturned[0] else "ok"
-            row = {**case, "method": COMPILED, "nodes": nodes, "factor": 1.0, "dt_s": found.step_s}
-            row |= {"dt_over_dt_crit": step, "d_over_b": found.d_over_b[0], "status": status}
-            end = float(found.end_s[0])
-            rows.append({**row, "steps": round(end / found.step_s), "simulated_s": end})
+            status = "failed" if peaks.failed[0] else "overturned" if peaks.overturned[0] else "ok"
+            row = {**case, "method": COMPILED, "nodes": nodes, "factor": 1.0, "dt_s": peaks.step_s}
+            row |= {"dt_over_dt_crit": step, "d_over_b": peaks.d_over_b[0], "status": status}
+            end = float(peaks.end_s[0])
+            rows.append({**row, "steps": round(end / peaks.step_s), "simulated_s": end})
             rows[-1]["wall_s"] = wall
         del rows[-len(grid) - 1]
     write_table(rows, job.output[0], digits="%.9g")

@@ -9,7 +9,7 @@ from rocking.tables import read_json, write_table
 from studies.accuracy.errors import ADAPTIVE
 
 
-def one(arguments):
+def row_of(arguments):
     """Row of one case, with its time."""
     scene, motion, case, settings = arguments
     began = time.perf_counter()
@@ -39,7 +39,7 @@ def main(job):
     work = [(scenes[c["model"]], plan["motions"][c["record"]], c, settings) for c in plan["cases"]]
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
     with pool_of(job) as pool:
-        rows = list(pool.map(one, work))
+        rows = list(pool.map(row_of, work))
     write_table(rows, job.output[0], digits="%.9g")
 
 

@@ -23,9 +23,9 @@ def floor_boxes(plan, floor, timber_density_kg_m3):
     that they touch no wall but the two. The panel covers the clear span, touches the beams alone
     and carries `load_kg_m2` times its area.
     """
-    one, two = sorted((plan.wall(n) for n in floor.walls), key=lambda w: w.offset_m)
-    along = one.axis
-    inner = (one.offset_m + one.thickness_m / 2.0, two.offset_m - two.thickness_m / 2.0)
+    near, far = sorted((plan.wall(n) for n in floor.walls), key=lambda w: w.offset_m)
+    along = near.axis
+    inner = (near.offset_m + near.thickness_m / 2.0, far.offset_m - far.thickness_m / 2.0)
     seats = (inner[0] - floor.bearing_m, inner[1] + floor.bearing_m)
     start, end = floor.extent_m
     count = max(2, int(np.floor((end - start) / floor.beam_spacing_m + 0.5)))

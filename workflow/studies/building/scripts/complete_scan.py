@@ -16,20 +16,20 @@ from yade_scripts.model import floor_motions
 
 def main(job):
     config, w = json.loads(job.params.config), job.wildcards
-    own = config["complete"]
+    section = config["complete"]
     config["numerics"], _ = choose(config, "W2", read_yaml(job.input.fidelity))
     layouts = [scene_of(config, job, w.complete, extra_nodes=n)[0] for n in range(NODE_CHOICES)]
     time_s, columns = floor_motions.read(job.input.motion)
     screen = ReducedScan(
-        layouts, own["modes"], run_numerics(config), time_s, columns["ground"], w.direction
+        layouts, section["modes"], run_numerics(config), time_s, columns["ground"], w.direction
     )
-    settings = {**job.params.settings, **own["scan"]}
+    settings = {**job.params.settings, **section["scan"]}
     table, _ = screen.seen(search.scan(0.5 * screen.static_g, settings))
     named = headed(table, model=w.complete, record=w.record, direction=w.direction)
     write_table(named, job.output.scan)
     kept = read_frame(job.output.scan)  # as every reader has it
     plan = plan_of(
-        kept, job.params.settings["amplitude_spread"], own["level_ratio"], job.params.most
+        kept, job.params.settings["amplitude_spread"], section["level_ratio"], job.params.most
     )
     write_json(job.output.plan, plan, indent=None, sort_keys=True)
 

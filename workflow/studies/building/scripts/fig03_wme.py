@@ -28,8 +28,8 @@ def main(job):
     reference, chains = against_chains(job.input.history, record, period, settings)
     figure, axes = plt.subplot_mosaic("tt;rp", figsize=(7.0, 5.4))
     drawn = [("SBDEM", reference, {}, {"color": "black", "lw": 1.4, "zorder": 1})]
-    for (n, found), colour in zip(chains.items(), SHADES, strict=True):
-        drawn.append((f"{n}DOF", *found, {"color": colour, "lw": 0.8}))
+    for (n, motion_and_errors), colour in zip(chains.items(), SHADES, strict=True):
+        drawn.append((f"{n}DOF", *motion_and_errors, {"color": colour, "lw": 0.8}))
     for name, motion, errors, line in drawn:
         for key, quantity, factor in CURVES:
             if key == "t" and name not in IN_TIME:

@@ -36,8 +36,8 @@ def main(job):
             high = max(high, valid["pga_g"].max())
             look = {"color": kind.colour, "marker": kind.marker, "ms": 5}
             axis.plot(valid["pga_g"], peak, color=kind.colour, lw=0.6, ls=LINES[kind.bonded])
-            for own, fill in ((fell, kind.colour), (~fell, "white")):
-                axis.plot(valid["pga_g"][own], peak[own], ls="", mfc=fill, **look)
+            for mask, fill in ((fell, kind.colour), (~fell, "white")):
+                axis.plot(valid["pga_g"][mask], peak[mask], ls="", mfc=fill, **look)
         axis.set(
             xlim=(0.0, 1.15 * high),
             ylim=(-0.03, 1.06),

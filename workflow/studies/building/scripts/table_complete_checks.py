@@ -29,8 +29,8 @@ def main(job):
 
     scenes = [from_dict(read_json(p)["scene"]) for p in job.input.scene]
     for scene in scenes:
-        for name, one in (("with façade", scene), ("without façade", apart(scene))):
-            modes = Solver(one).modes(MODES)
+        for name, solved in (("with façade", scene), ("without façade", apart(scene))):
+            modes = Solver(solved).modes(MODES)
             period = float(modes.period_s[modes.largest("y")])
             rows.append((f"period {name}", scene.notes["coarsening"], np.nan, period, "s", np.nan))
     coarsest = Path(job.input.linear[0]).name.split("_")[1]
@@ -42,9 +42,9 @@ def main(job):
     ):
         table = read_frame(path)
         got = ringing_period(table["time_s"].to_numpy(), table["top_m"].to_numpy())
-        found = next(i for i, r in enumerate(rows) if r[:2] == (f"period {name}", size))
-        modal = rows[found][3]
-        rows[found] = (f"period {name}", size, got, modal, "s", abs(got / modal - 1.0))
+        place = next(i for i, r in enumerate(rows) if r[:2] == (f"period {name}", size))
+        modal = rows[place][3]
+        rows[place] = (f"period {name}", size, got, modal, "s", abs(got / modal - 1.0))
     table = read_frame(job.input.linear[0])
     time_s, columns = floor_motions.read(job.input.motion)
     factor = amplitude(columns["ground"], job.params.direction, job.params.pga_g)

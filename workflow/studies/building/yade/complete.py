@@ -75,9 +75,9 @@ def complete_scene(config, building, crack_m, beta_s, *, bonded, masonry, rate_1
     dashpots are β·E/L, for that is the stiffness whose β is calibrated. ValueError if no brick ends
     at the crack behind the façade.
     """
-    own = Facade.of(config["facade"])
-    own.refuse("the complete building", held=True)
-    h, b, width = own.height_m, own.thickness_m, own.width_m
+    front = Facade.of(config["facade"])
+    front.refuse("the complete building", held=True)
+    h, b, width = front.height_m, front.thickness_m, front.width_m
     bricks, base = building.bricks, with_rigid_floors(building)
     ends = np.flatnonzero(np.abs(bricks.high_m[:, 1] - crack_m) < TOLERANCE_M)
     blocks = [
@@ -90,8 +90,8 @@ def complete_scene(config, building, crack_m, beta_s, *, bonded, masonry, rate_1
         raise ValueError("the complete building: no brick ends at the crack")
     middle = 0.5 * float(bricks.low_m[ends, 0].min() + bricks.high_m[ends, 0].max())
     facade = len(blocks)
-    back = crack_m + own.gap_m
-    blocks.append(plain_block(own, DOFS, middle, back))
+    back = crack_m + front.gap_m
+    blocks.append(plain_block(front, DOFS, middle, back))
     nodes = NodeList(scene=base)
     Beds(config, beta_s, nodes, planar=False).base(facade, ground, origin=(middle, back))
     brick, joints = masonry
@@ -140,10 +140,10 @@ class _BackJoints:
 
     def touch(self, bricks, brick):
         """Add the joint of one brick that ends at the crack, if it ends behind the façade."""
-        own, config = Facade.of(self.config["facade"]), self.config
+        front, config = Facade.of(self.config["facade"]), self.config
         (x0, y0, z0), (x1, _, z1) = bricks.low_m[brick], bricks.high_m[brick]
         left_m, right_m, crack_m = self.face
-        z1 = min(z1, own.height_m)
+        z1 = min(z1, front.height_m)
         x0, x1 = max(x0, left_m), min(x1, right_m)
         if z1 - z0 <= TOLERANCE_M or x1 - x0 <= TOLERANCE_M:
             return
@@ -164,7 +164,7 @@ class _BackJoints:
                 jkn,
                 jks,
                 beta_s=self.beta_s * back_jkn(config) / jkn,
-                gap_m=own.gap_m,
+                gap_m=front.gap_m,
                 **back_strength(config["return_wall"], self.bonded),
             ),
         )
@@ -185,8 +185,8 @@ def with_rigid_floors(building):
         centres = np.array([blocks[i].centre_m for i in parts])
         centre = mass @ centres / mass.sum()
         arm = centres - centre
-        own = np.array([blocks[i].inertia_kg_m2 for i in parts]).sum(axis=0)
-        inertia = own + mass @ ((arm**2).sum(axis=1)[:, None] - arm**2)
+        about_centres = np.array([blocks[i].inertia_kg_m2 for i in parts]).sum(axis=0)
+        inertia = about_centres + mass @ ((arm**2).sum(axis=1)[:, None] - arm**2)
         blocks[panel] = replace(
             blocks[panel],
             centre_m=tuple(centre.tolist()),

@@ -101,7 +101,7 @@ def main(arguments=None):
     points = [scene.index(scene.monitor), corner(scene)]
     building = ExplicitBuilding(scene, motion[:, 0], motion[:, 1], step, rate, options.gravity)
     t, acceleration, displacement = building.run(duration, points)
-    found = np.vstack([t, acceleration, displacement]).T
+    table = np.vstack([t, acceleration, displacement]).T
     formats = dict.fromkeys(COLUMNS, ".9g")
-    write_atomic(options.output, history_csv({}, COLUMNS, found, formats))
+    write_atomic(options.output, history_csv({}, COLUMNS, table, formats))
     return 0

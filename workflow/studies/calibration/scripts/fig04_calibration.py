@@ -61,10 +61,10 @@ def main(job):
     axes["a"].set_title(f"(a) b = {b:g} m, E = {e_mpa:g} MPa, r = {r0:g}", loc="left")
 
     for (b, e_mpa), colour in zip(batches, COLOURS, strict=False):
-        part, own = of_batch(reference, b, e_mpa), of_batch(curves, b, e_mpa)
-        law_ms = (own[name] * MS for name in ("beta_s", "low_s", "high_s"))
-        band(axes["b"], own.slenderness, *law_ms, colour, alpha=0.13)
-        axes["b"].plot(own.slenderness, own.eq5_s * MS, "--", c=colour, lw=0.9)
+        part, curve = of_batch(reference, b, e_mpa), of_batch(curves, b, e_mpa)
+        law_ms = (curve[name] * MS for name in ("beta_s", "low_s", "high_s"))
+        band(axes["b"], curve.slenderness, *law_ms, colour, alpha=0.13)
+        axes["b"].plot(curve.slenderness, curve.eq5_s * MS, "--", c=colour, lw=0.9)
         label = f"b = {b:g} m, E = {e_mpa:g} MPa"
         axes["b"].plot(part.slenderness, part.beta_fit_s * MS, "o", c=colour, label=label)
     axes["b"].plot([], [], "0.4", label="fitted law, 90 % band")

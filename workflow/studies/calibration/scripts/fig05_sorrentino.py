@@ -61,8 +61,8 @@ def panel_ratio(axes, walls, law):
     axes.plot(r, rows[:, 1], "ko-", label="best fit to three impacts")
     for n, (name, colour) in enumerate(SINGLE, 2):
         axes.plot(r, rows[:, n], "s--", c=colour, lw=0.8, label=f"{name} impact alone")
-    one, r0 = fits.beta_of_one_sided(whole), calibration.groups(config)["return_wall_ratio"]
-    axes.plot(r0, 1e3 * one, "*", c="#D55E00", ms=9, label="first impact with e = |e$_{1SR}$|")
+    first_s, r0 = fits.beta_of_one_sided(whole), calibration.groups(config)["return_wall_ratio"]
+    axes.plot(r0, 1e3 * first_s, "*", c="#D55E00", ms=9, label="first impact with e = |e$_{1SR}$|")
     grid = np.geomspace(r[0], r[-1], 40)
     beta, low, high = 1e3 * law.along(study.at_ratio(config, ratio) for ratio in grid)
     band(axes, grid, beta, low, high, "0.4", lw=0.9, label="fitted law, 90 % band")

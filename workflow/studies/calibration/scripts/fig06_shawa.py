@@ -75,8 +75,8 @@ def peaks(axis, mine, scales):
     b = 1e3 * mine[0][0]["config"]["facade"]["thickness_m"]
     for law, (_, colour, line) in LAWS.items():
         for direction, marker, fill in (("pos", "o", colour), ("neg", "v", "none")):
-            own = [(t, d) for t, d in mine if has(t, law=law, direction=direction)]
-            places = sorted((t["about"]["scale"], largest_mm(t, d)) for t, d in own)
+            tests = [(t, d) for t, d in mine if has(t, law=law, direction=direction)]
+            places = sorted((t["about"]["scale"], largest_mm(t, d)) for t, d in tests)
             x, y = np.reshape(places, (-1, 2)).T
             axis.plot(x, y, marker, c=colour, mfc=fill, ls=line, lw=0.7)
     axis.axhline(b, c="0.5", ls=":", lw=0.9)

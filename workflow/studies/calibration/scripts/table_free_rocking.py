@@ -9,15 +9,15 @@ COLUMNS = ("wall", "beta_s", "n", "time_s", "theta_over_alpha", "e_exp", "e_1sr"
 
 
 def rows_of(wall):
-    for beta, found, e in zip(wall["beta_s"], wall["found"], wall["e"], strict=True):
+    for beta, observed, e in zip(wall["beta_s"], wall["found"], wall["e"], strict=True):
         for n in range(IMPACTS):
-            happened = n < len(found)
+            happened = n < len(observed)
             yield {
                 "wall": wall["case"]["id"],
                 "beta_s": beta,
                 "n": n + 1,
-                "time_s": found.impact_time_s[n] if happened else None,
-                "theta_over_alpha": found.peak[n] if happened else None,
+                "time_s": observed.impact_time_s[n] if happened else None,
+                "theta_over_alpha": observed.peak[n] if happened else None,
                 "e_exp": e[n] if happened else None,
                 "e_1sr": wall["e_1sr"],
             }

@@ -14,13 +14,13 @@ def main(job):
     pushed = {
         Path(path).stem: summary(read_frame(path)) for path in getattr(job.input, "pushover", [])
     }
-    peaks = {model: found["lambda_peak"] for model, found in pushed.items()}
+    peaks = {model: pushover["lambda_peak"] for model, pushover in pushed.items()}
     rule = json.loads(job.params.w3)["w3"]["header_joint"]
     claims = table(
         read_frame(job.input.collapse),
         peaks,
         {f["name"]: f["source"] for f in facts},
-        {model: (found["ratio"], rule) for model, found in pushed.items()},
+        {model: (pushover["ratio"], rule) for model, pushover in pushed.items()},
     )
     write_table(claims, job.output[0], digits=None)
 

@@ -68,12 +68,13 @@ def bearings(axis, table, variant, fell_mm):
     """Between the level top and the one that may turn: which of the two there was is not known."""
     level = variant.removesuffix(validation.TURNING)
     mine = table[(table["solver"] == "planar") & (table["how"] == ALONE)].set_index("run")
-    one, other = (
+    level_mm, turning_mm = (
         mine[mine["variant"] == name]["peak_mm"].fillna(fell_mm)
         for name in (level, level + validation.TURNING)
     )
-    if len(other) and len(one):
-        axis.fill_between(one.index, one, other.loc[one.index], color="0.6", alpha=0.3, lw=0,
+    if len(turning_mm) and len(level_mm):
+        runs, turned = level_mm.index, turning_mm.loc[level_mm.index]
+        axis.fill_between(runs, level_mm, turned, color="0.6", alpha=0.3, lw=0,
                           label="planar, between the bearings")  # fmt: skip
 
 

@@ -30,12 +30,12 @@ def main(job):
     whole = os.path.join(job.output.motions, "sequence.csv")
     time_s, ground, spans = validation.one_after_another(motions)
     write(whole, time_s, ground)
-    found = specimens.cases(experiment)
+    cases = specimens.cases(experiment)
     tests = []
-    for name in list(found)[: settings["main_variants"]]:
+    for name in list(cases)[: settings["main_variants"]]:
         each = [(r["run"], r["motion"]) for r in rows] + [("sequence", whole)]
-        tests += [specimens.walls_test(found[name], f"{name}|{what}", path) for what, path in each]
-    about = {"variants": found, "runs": rows, "sequence": whole, "spans": spans}
+        tests += [specimens.walls_test(cases[name], f"{name}|{what}", path) for what, path in each]
+    about = {"variants": cases, "runs": rows, "sequence": whole, "spans": spans}
     for path, data in ((job.output.cases, about), (job.output.tests, tests)):
         write_json(path, data)
 

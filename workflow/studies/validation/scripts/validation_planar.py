@@ -27,18 +27,18 @@ def main(job):
         count = None if number < settings["validation"]["main_variants"] else 2
         plane, numerics = to_plane(build_scene(case)), case["numerics"]
         mm, step = 1e3 * plane.thickness_m, planar_step(plane, numerics)
-        for r, motion, own in zip(runs, motions, drawn[:, :count], strict=True):
-            found = peaks(plane, motion, numerics, own, step_s=step)
+        for r, motion, members in zip(runs, motions, drawn[:, :count], strict=True):
+            outcome = peaks(plane, motion, numerics, members, step_s=step)
             for factor, d, fell, failed in zip(
-                own, found.d_over_b, found.overturned, found.failed, strict=True
+                members, outcome.d_over_b, outcome.overturned, outcome.failed, strict=True
             ):
                 status = "failed" if failed else "overturned" if fell else "ok"
                 peak = mm * d if status == "ok" else math.nan
                 rows.append((variant, r["run"], ALONE, factor, peak, status))
         still = {**numerics, "quiet_ratio": 0.0}
         d = history(plane, whole, still, step_s=step, sample_s=SAMPLE_S)
-        found = peaks_of_spans(d.time_s, d.d_m, about["spans"], d.status)
-        for r, peak in zip(runs, found, strict=True):
+        peaks_m = peaks_of_spans(d.time_s, d.d_m, about["spans"], d.status)
+        for r, peak in zip(runs, peaks_m, strict=True):
             status = "ok" if math.isfinite(peak) else d.status
             rows.append((variant, r["run"], SEQUENCE, 1.0, 1e3 * peak, status))
     names = ["variant", "run", "how", "factor", "peak_mm", "status"]

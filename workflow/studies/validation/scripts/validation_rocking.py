@@ -25,10 +25,10 @@ def main(job):
         facade = case["config"]["facade"]
         h, b, sides = facade["height_m"], facade["thickness_m"], facade["sides"]
         closed = e_one_sided(h, b) if sides == "one" else 1 - 1.5 * b**2 / (b**2 + h**2)
-        found = {"planar": planar(case), "YADE": (yade["time_s"], yade["theta_over_alpha"])}
-        found = {
+        histories = {"planar": planar(case), "YADE": (yade["time_s"], yade["theta_over_alpha"])}
+        restitution = {
             solver: e_exp(rebounds(*history, sides=sides, smallest=SMALLEST[sides]))
-            for solver, history in found.items()
+            for solver, history in histories.items()
         }
         for _, run_ in experiment.runs[experiment.runs["height_m"] == h].iterrows():
             impact = int(run_.get("impact", 1))
@@ -37,7 +37,7 @@ def main(job):
             row |= {"trials": int(about["trials"])} | {q: about[q] for q in QUARTILES}
             row |= {"closed_form": closed, "variant": case["id"].rpartition("|")[0]}
             row |= {"beta_s": case["beta_s"][0]}
-            for solver, e in found.items():
+            for solver, e in restitution.items():
                 ratio = e[impact - 1]
                 within = int(about["p25"] <= ratio <= about["p75"])
                 rows.append({**row, "solver": solver, "ratio": ratio, "within": within})
@@ -53,11 +53,11 @@ def planar(case):
     still = np.array([0.0, limit])
     numerics = {**config["numerics"], "rest_time_s": limit, "after_motion_s": 0.0}
     numerics["overturn_ratio"] = 10.0
-    found = history(
+    moved = history(
         to_plane(scene), Motions(still, 0.0 * still), numerics, sample_s=limit / SAMPLES
     )
     facade = config["facade"]
-    return found.time_s, -found.pose[:, 2] / math.atan2(facade["thickness_m"], facade["height_m"])
+    return moved.time_s, -moved.pose[:, 2] / math.atan2(facade["thickness_m"], facade["height_m"])
 
 
 run(main, globals())

@@ -49,8 +49,8 @@ def of_yade(done, about):
         peak = 1e3 * thickness * done["peak_d_over_b"] if ok else math.nan
         yield {**row, "run": int(what), "how": ALONE, "peak_mm": peak, "status": done["status"]}
         return
-    found = validation.peaks_of_spans(done["time_s"], done["d_m"], about["spans"], done["status"])
-    for r, peak in zip(about["runs"], found, strict=True):
+    peaks_m = validation.peaks_of_spans(done["time_s"], done["d_m"], about["spans"], done["status"])
+    for r, peak in zip(about["runs"], peaks_m, strict=True):
         status = "ok" if math.isfinite(peak) else done["status"]
         row |= {"run": r["run"], "how": SEQUENCE, "peak_mm": 1e3 * peak, "status": status}
         yield dict(row)
