@@ -21,8 +21,8 @@ from studies.overturning.score import score
 
 def _run(given, models):
     for model in models:
-        found = predict.run(given.folder, given.data, model, max(1, given.cores))
-        mean = found.groupby("specimen")["probability_of_fall"].mean().round(3)
+        predicted = predict.run(given.folder, given.data, model, max(1, given.cores))
+        mean = predicted.groupby("specimen")["probability_of_fall"].mean().round(3)
         sys.stdout.write(f"{model}: mean probability of a fall {mean.to_dict()}\n")
 
 
@@ -41,8 +41,8 @@ def _lessons(given, models):
 
 
 def _blocks(given, _):
-    found, scores = rectangles.run(given.folder, given.data)
-    _show(found)
+    predicted, scores = rectangles.run(given.folder, given.data)
+    _show(predicted)
     if scores:
         _show(pd.DataFrame([scores]))
 

@@ -83,8 +83,8 @@ def rest_pose(standing):
             [slope[0] * scale / unit, slope[1] * scale / np.abs(y).max() / unit]
         )
 
-    found = minimize(energy, [1.0, 0.0], jac=True, method="BFGS", options={"gtol": 1e-10})
-    return float(found.x[0] * scale), float(found.x[1] * scale / np.abs(y).max())
+    least = minimize(energy, [1.0, 0.0], jac=True, method="BFGS", options={"gtol": 1e-10})
+    return float(least.x[0] * scale), float(least.x[1] * scale / np.abs(y).max())
 
 
 def scene(standing):

@@ -24,18 +24,18 @@ class Draw(NamedTuple):
 def solids(stated, folder):
     """`Solid` and mass [kg] of each specimen that a model states."""
     with table.archive(folder, table.SPECIMENS) as scans:
-        found = {
+        shapes = {
             number: geometry.solid(
                 scans[f"surface_specimen{number}"], scans[f"hull_specimen{number}"]
             )
             for number in stated["specimens"]
         }
     masses = {}
-    for number, own in stated["specimens"].items():
-        like = own.get("density_of", number)
+    for number, facts in stated["specimens"].items():
+        like = facts.get("density_of", number)
         weighed = stated["specimens"][like]["mass_kg"]
-        masses[number] = weighed * found[number].volume_m3 / found[like].volume_m3
-    return {number: (found[number], masses[number]) for number in found}
+        masses[number] = weighed * shapes[number].volume_m3 / shapes[like].volume_m3
+    return {number: (shapes[number], masses[number]) for number in shapes}
 
 
 def weakest(solid):
@@ -55,9 +55,9 @@ def draw(stated, solid, mass_kg, weakest_rad, number, specimen):
     if rng.uniform() < about["weakest_share"]:
         direction = near
     direction += math.pi * (number % 2)
-    own = stated["specimens"][specimen]
-    if "direction_deg" in own:
-        direction = math.radians(own["direction_deg"])
+    facts = stated["specimens"][specimen]
+    if "direction_deg" in facts:
+        direction = math.radians(facts["direction_deg"])
     off = 1e-3 * stated["centre_of_mass_deviation_mm"] * np.append(rng.normal(size=2), 0.0)
     friction = math.radians(rng.uniform(*stated["friction_deg"]))
     contact = stated["contact_n_m"] * math.exp(stated["contact_log_deviation"] * rng.normal())
@@ -66,7 +66,7 @@ def draw(stated, solid, mass_kg, weakest_rad, number, specimen):
     c, s = math.cos(direction), math.sin(direction)
     turn = np.array([[s, -c, 0.0], [c, s, 0.0], [0.0, 0.0, 1.0]])  # the direction becomes y
     points, inertia = points @ turn.T, turn @ solid.inertia_m2 @ turn.T
-    scale = own.get("width", 1.0)
+    scale = facts.get("width", 1.0)
     chain = geometry.profile(points, 0.5 * math.pi) * np.array([scale, 1.0])
     standing = blocks.Standing(
         chain,

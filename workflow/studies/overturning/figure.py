@@ -20,9 +20,9 @@ def draw(table):
         axis.plot([0, 1], [0, 1], "-", c="0.8", lw=0.8, zorder=0)
         halves = list(table.loc[table["model"] == model, "half"].fillna("").unique())
         for k, half in enumerate(halves):
-            own = table[(table["model"] == model) & (table["half"].fillna("") == half)]
-            own = own[own["tests"] > 0]
-            _draw_half(axis, own, half, ASIDE * (2 * k - len(halves) + 1))
+            bins = table[(table["model"] == model) & (table["half"].fillna("") == half)]
+            bins = bins[bins["tests"] > 0]
+            _draw_half(axis, bins, half, ASIDE * (2 * k - len(halves) + 1))
         axis.set(title=TITLES.get(model, model), xlabel="predicted probability of a fall", aspect=1)
         axis.set(xlim=(-0.04, 1.04), ylim=(-0.04, 1.04))
     axes[0, 0].set_ylabel("share that fell")
@@ -30,21 +30,21 @@ def draw(table):
     return figure
 
 
-def _draw_half(axis, own, half, aside):
+def _draw_half(axis, bins, half, aside):
     """One bar a bin, of what should have fallen, and a dot for what did, hollow outside of it."""
-    count, colour = own["tests"].to_numpy(float), COLOURS[half]
-    place = own["foreseen"].to_numpy(float) / count + aside
+    count, colour = bins["tests"].to_numpy(float), COLOURS[half]
+    place = bins["foreseen"].to_numpy(float) / count + aside
     middle, low, high = (
-        own[name].to_numpy(float) / count for name in ("foreseen", "least", "most")
+        bins[name].to_numpy(float) / count for name in ("foreseen", "least", "most")
     )
     said = f" ({half})" if half else ""
     intervals(
         axis, place, middle, low, high, c=colour, lw=1.4, label=f"should have fallen, 90 %{said}"
     )
-    fell = own["fell"].to_numpy(float) / count
+    fell = bins["fell"].to_numpy(float) / count
     if np.isnan(fell).all():
         return
-    inside = (own["within"] == "yes").to_numpy()
+    inside = (bins["within"] == "yes").to_numpy()
     for within, fill, word in ((True, colour, "fell"), (False, "none", "fell, outside of that")):
         mine = inside == within
         if mine.any():

@@ -59,8 +59,8 @@ def _pseudo_velocity(a, dt, period_s, damping=0.05):
 
 def of_tests(folder):
     """Table of the measures by test."""
-    with table.archive(folder, table.MOTIONS) as found:
-        rows = {int(name[1:]): of_motion(found[name]) for name in found}
+    with table.archive(folder, table.MOTIONS) as stored:
+        rows = {int(name[1:]): of_motion(stored[name]) for name in stored}
     return pd.DataFrame.from_dict(rows, orient="index").rename_axis("test")
 
 
@@ -82,8 +82,8 @@ def logistic(x, y):
 def left_out(x, y, motion):
     """Probability of a fall of each test by the tests of the other motions."""
     p = np.zeros(len(y))
-    for one in np.unique(motion):
-        mine = motion == one
+    for number in np.unique(motion):
+        mine = motion == number
         c0, c1 = logistic(x[~mine], y[~mine])
         p[mine] = 1.0 / (1.0 + np.exp(-(c0 + c1 * x[mine])))
     return p
@@ -91,13 +91,13 @@ def left_out(x, y, motion):
 
 def by_measure(folder):
     """Rows by specimen and measure: correct, Brier score, and the measure at which half fall."""
-    tests, found = table.tests(folder), of_tests(folder)
+    tests, measures = table.tests(folder), of_tests(folder)
     rows = []
     for specimen in (1, 2):
         y = known(tests, specimen)
         motion = tests.loc[y.index, "motion"].to_numpy()
-        for name in found:
-            x = np.log(np.maximum(found.loc[y.index, name].to_numpy(), 1e-3))
+        for name in measures:
+            x = np.log(np.maximum(measures.loc[y.index, name].to_numpy(), 1e-3))
             p = left_out(x, y.to_numpy(), motion)
             c0, c1 = logistic(x, y.to_numpy())
             row = {"specimen": specimen, "measure": name, "half_fall_at": math.exp(-c0 / c1)}
@@ -110,14 +110,14 @@ def by_measure(folder):
 def errors(folder, data, model):
     """Wrong tests and mean p − y by what tests have in common, both specimens."""
     tests = table.tests(data)
-    found = joined(folder, tests, model).merge(of_tests(data), left_on="test", right_index=True)
-    found["wrong"] = (found["probability_of_fall"] > CERTAIN) != (found["y"] > 0.0)
-    found["bias"] = found["probability_of_fall"] - found["y"]
+    compared = joined(folder, tests, model).merge(of_tests(data), left_on="test", right_index=True)
+    compared["wrong"] = (compared["probability_of_fall"] > CERTAIN) != (compared["y"] > 0.0)
+    compared["bias"] = compared["probability_of_fall"] - compared["y"]
     rows = []
     for name in ("pga_g", "pgv_m_s", "strong_s"):
-        group = pd.qcut(found[name], 4)
-        for span, own in found.groupby(group, observed=True):
-            row = {"by": name, "from": span.left, "to": span.right, "tests": len(own)}
-            row |= {"fell": int(own["y"].sum()), "wrong": int(own["wrong"].sum())}
-            rows.append(row | {"mean p - y": own["bias"].mean()})
+        group = pd.qcut(compared[name], 4)
+        for span, quarter in compared.groupby(group, observed=True):
+            row = {"by": name, "from": span.left, "to": span.right, "tests": len(quarter)}
+            row |= {"fell": int(quarter["y"].sum()), "wrong": int(quarter["wrong"].sum())}
+            rows.append(row | {"mean p - y": quarter["bias"].mean()})
     return pd.DataFrame(rows)

@@ -33,7 +33,7 @@ class Footed(Wall):
         y, z = np.asarray(standing.corners_m, float).T
         order = np.argsort(y)
         friction = math.tan(standing.friction_rad)
-        own = {
+        values = {
             "h_m": 2.0 * blocks.ARM_M,
             "b_m": blocks.ARM_M * math.sin(standing.fallen_rad),
             "beta_s": standing.beta_s,
@@ -51,7 +51,7 @@ class Footed(Wall):
             "segment": np.zeros(0, int),
             "standing": standing,
         }
-        for name, value in own.items():
+        for name, value in values.items():
             object.__setattr__(self, name, value)
 
     @property
@@ -78,7 +78,7 @@ class Footed(Wall):
 def fell_by_reference(standing, motions, tolerance=1e-5):
     """Which of some motions overturn a block, by the reference solver."""
     wall = Footed(standing)
-    found = []
+    fell = []
     for motion in motions:
         table = SupportTable(STEP_S, motion.ground_m_s2)
         out = simulate_batch(
@@ -92,16 +92,16 @@ def fell_by_reference(standing, motions, tolerance=1e-5):
         )
         if out.status[0] == "failed":
             raise ValueError("the reference solver failed")
-        found.append(bool(out.overturned[0]))
-    return np.array(found)
+        fell.append(bool(out.overturned[0]))
+    return np.array(fell)
 
 
 def in_space(draw):
     """`Standing` of a draw with six freedoms."""
-    own = draw.standing
-    inertia = own.mass_kg * np.diag(draw.inertia_m2)
+    standing = draw.standing
+    inertia = standing.mass_kg * np.diag(draw.inertia_m2)
     corners = geometry.corners(draw.points_m) * np.array([1.0, draw.width, 1.0])
-    return own._replace(corners_m=corners, inertia_kg_m2=tuple(inertia.tolist()))
+    return standing._replace(corners_m=corners, inertia_kg_m2=tuple(inertia.tolist()))
 
 
 def by_yade(draws, motions, limit_s=3600.0):
@@ -129,6 +129,6 @@ def by_yade(draws, motions, limit_s=3600.0):
         write_json(f"{room}/list.json", entries)
         words = ("--list", f"{room}/list.json", "--output", f"{room}/out.json")
         run_yade("stand", *words, folder=room, limit_s=limit_s)
-        found = read_json(f"{room}/out.json")
-    keys = [one["id"].split("|") for one in found]
-    return {(name, int(n)): one for (name, n), one in zip(keys, found, strict=True)}
+        outcomes = read_json(f"{room}/out.json")
+    keys = [outcome["id"].split("|") for outcome in outcomes]
+    return {(name, int(n)): outcome for (name, n), outcome in zip(keys, outcomes, strict=True)}

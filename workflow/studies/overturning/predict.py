@@ -50,8 +50,8 @@ def _one(job):
     specimen, number = job
     solid, mass_kg = _shared["solids"][specimen]
     weakest = _shared["weakest"][specimen]
-    one = draws.draw(_shared["stated"], solid, mass_kg, weakest, number, specimen)
-    return fell(_shared["stated"], one.standing, _shared["motions"])
+    drawn = draws.draw(_shared["stated"], solid, mass_kg, weakest, number, specimen)
+    return fell(_shared["stated"], drawn.standing, _shared["motions"])
 
 
 def members(stated, folder, cores=1, numbers=None):
@@ -66,12 +66,12 @@ def members(stated, folder, cores=1, numbers=None):
     )
     jobs = [(specimen, k) for specimen in solids for k in range(stated["draws"])]
     with ProcessPoolExecutor(cores, multiprocessing.get_context("fork")) as pool:
-        found = list(pool.map(_one, jobs))
-    every = np.array(found).reshape(len(solids), stated["draws"], len(numbers))
+        falls = list(pool.map(_one, jobs))
+    every = np.array(falls).reshape(len(solids), stated["draws"], len(numbers))
     return dict(zip(solids, every, strict=True)), numbers
 
 
-def rows(found, numbers):
+def rows(by_specimen, numbers):
     """Table of a prediction: a row a test and specimen."""
     parts = [
         pd.DataFrame(
@@ -83,7 +83,7 @@ def rows(found, numbers):
                 "probability_of_fall": falls.mean(axis=0).round(5),
             }
         )
-        for specimen, falls in found.items()
+        for specimen, falls in by_specimen.items()
     ]
     return pd.concat(parts).sort_values(["test", "specimen"], ignore_index=True)
 
@@ -101,7 +101,7 @@ def run(folder, data, model, cores=1):
         "predicted": digest(path),
         "stated_in": commit_of(folder / f"{model}.yaml"),
     }
-    text = [f"{name} {key} {value}" for name, own in lines.items() for key, value in own.items()]
+    text = [f"{name} {key} {value}" for name, said in lines.items() for key, value in said.items()]
     (folder / "digest.txt").write_text("\n".join(text) + "\n", "utf-8")
     return result
 
@@ -109,9 +109,9 @@ def run(folder, data, model, cores=1):
 def digests(folder):
     """By model what digest.txt says: stated, predicted, stated_in."""
     path = Path(folder) / "digest.txt"
-    found: dict[str, dict[str, str]] = {}
+    by_model: dict[str, dict[str, str]] = {}
     if path.is_file():
         for line in path.read_text("utf-8").splitlines():
             model, key, value = line.split()
-            found.setdefault(model, {})[key] = value
-    return found
+            by_model.setdefault(model, {})[key] = value
+    return by_model

@@ -76,16 +76,16 @@ def run(folder, data):
     the amplitude too.
     """
     stated, tests = read(folder)
-    found = np.zeros((stated["draws"], len(tests)), bool)
+    falls = np.zeros((stated["draws"], len(tests)), bool)
     rng = np.random.default_rng(stated["seed"])
-    amplitudes = np.exp(stated["amplitude_log_deviation"] * rng.normal(size=found.shape))
+    amplitudes = np.exp(stated["amplitude_log_deviation"] * rng.normal(size=falls.shape))
     for k, row in enumerate(tests.itertuples()):
         for number in range(stated["draws"]):
-            one = standing(stated, row.width_m, row.height_m, row.mass_kg, number)
+            drawn = standing(stated, row.width_m, row.height_m, row.mass_kg, number)
             shaken = motion(Path(data or folder) / row.motion, row.factor * amplitudes[number, k])
-            found[number, k] = predict.fell(stated, one, [shaken])[0]
+            falls[number, k] = predict.fell(stated, drawn, [shaken])[0]
     members = stated["draws"]
-    result = tests[["test", "outcome"]].assign(members=members, fell=found.sum(axis=0))
+    result = tests[["test", "outcome"]].assign(members=members, fell=falls.sum(axis=0))
     result["probability_of_fall"] = (result["fell"] / members).round(5)
     result.to_csv(Path(folder) / "predicted.csv", index=False)
     known = result[result["outcome"].notna()]

@@ -89,13 +89,13 @@ def joined(folder, tests, model):
     """Prediction of a model beside the known outcomes, column `y`, and motions, a row a test."""
     predicted = read_frame(Path(folder) / f"{model}.csv")
     parts = []
-    for specimen, own in predicted.groupby("specimen"):
+    for specimen, part in predicted.groupby("specimen"):
         outcome = known(tests, specimen)
-        own = own[own["test"].isin(outcome.index)]
+        part = part[part["test"].isin(outcome.index)]
         parts.append(
-            own.assign(
-                y=outcome.loc[own["test"]].to_numpy(),
-                motion=tests.loc[own["test"], "motion"].to_numpy(),
+            part.assign(
+                y=outcome.loc[part["test"]].to_numpy(),
+                motion=tests.loc[part["test"], "motion"].to_numpy(),
             )
         )
     return pd.concat(parts, ignore_index=True)
@@ -110,10 +110,10 @@ def score(folder, data, models=MODELS):
     tests, rows = table.tests(data), []
     for model in models:
         unchanged(folder, model)
-        found = joined(folder, tests, model)
-        if found.empty:
+        compared = joined(folder, tests, model)
+        if compared.empty:
             raise ConfigError(f"{data}: expected outcomes of tests: none is known")
-        for specimen, own in found.groupby("specimen"):
-            scores = measures(own["probability_of_fall"], own["y"], own["members"])
+        for specimen, part in compared.groupby("specimen"):
+            scores = measures(part["probability_of_fall"], part["y"], part["members"])
             rows.append({"model": model, "specimen": specimen, **scores})
     return pd.DataFrame(rows)

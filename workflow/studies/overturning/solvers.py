@@ -21,13 +21,13 @@ def repeated(stated, standing, motions):
     plane = to_plane(blocks.scene(standing))
     step, ones = stated["step_fraction"] * stable_step(plane), np.ones(len(motions))
     runs = [(1.0, step), (1.0 + NUDGE, step), (1.0 - NUDGE, step), (1.0, 0.5 * step)]
-    found = np.array(
+    falls = np.array(
         [
             peaks(plane, motions, blocks.NUMERICS, factor * ones, step_s=h).overturned
             for factor, h in runs
         ]
     )
-    return found[0], np.all(found == found[0], axis=0)
+    return falls[0], np.all(falls == falls[0], axis=0)
 
 
 def compare(stated, folder, numbers, every, in_space=None):
@@ -47,22 +47,22 @@ def compare(stated, folder, numbers, every, in_space=None):
     for specimen, (solid, mass) in draws.solids(stated, folder).items():
         weakest = draws.weakest(solid)
         for number in numbers:
-            one = draws.draw(stated, solid, mass, weakest, number, specimen)
+            drawn = draws.draw(stated, solid, mass, weakest, number, specimen)
             spatial = (in_space or {}).get(specimen, []) if number == numbers[0] else []
             motions = table.motions(folder, sorted({*strided, *spatial}))
-            rows += _rows(stated, one, (specimen, number), motions, spatial)
+            rows += _rows(stated, drawn, (specimen, number), motions, spatial)
     return pd.DataFrame(rows).astype({"yade": "Int64"})
 
 
-def _rows(stated, one, names, motions, spatial):
+def _rows(stated, drawn, names, motions, spatial):
     """Rows of one draw; `names` are the specimen and the number of the draw."""
     shaken = list(motions.values())
-    fell, same = repeated(stated, one.standing, shaken)
-    other = others.fell_by_reference(one.standing, shaken, TOLERANCE)
+    fell, same = repeated(stated, drawn.standing, shaken)
+    other = others.fell_by_reference(drawn.standing, shaken, TOLERANCE)
     space = {}
     if spatial:
-        found = others.by_yade({"a": one}, {test: motions[test] for test in spatial})
-        space = {test: outcome for (_, test), outcome in found.items()}
+        outcomes = others.by_yade({"a": drawn}, {test: motions[test] for test in spatial})
+        space = {test: outcome for (_, test), outcome in outcomes.items()}
     rows = []
     for k, test in enumerate(motions):
         row = {"test": test, "specimen": names[0], "draw": names[1], "planar": int(fell[k])}
@@ -80,23 +80,23 @@ def _rows(stated, one, names, motions, spatial):
 def doubtful(folder, model, count):
     """By specimen so many tests, evenly among those to which a model gives DOUBT."""
     predicted = read_frame(f"{folder}/{model}.csv")
-    found = {}
-    for specimen, own in predicted.groupby("specimen"):
-        tests = own.loc[own["probability_of_fall"].between(*DOUBT), "test"].to_numpy()
-        found[specimen] = sorted(tests[np.linspace(0, len(tests) - 1, count).round().astype(int)])
-    return found
+    chosen = {}
+    for specimen, part in predicted.groupby("specimen"):
+        tests = part.loc[part["probability_of_fall"].between(*DOUBT), "test"].to_numpy()
+        chosen[specimen] = sorted(tests[np.linspace(0, len(tests) - 1, count).round().astype(int)])
+    return chosen
 
 
-def agreement(found):
+def agreement(rows):
     """How many rows repeat, in how many of these the reference agrees, and YADE of those it ran."""
-    steady = found[found["repeats"] == 1]
-    spatial = found[found["yade"].notna()]
+    steady = rows[rows["repeats"] == 1]
+    spatial = rows[rows["yade"].notna()]
     calm = spatial[spatial["repeats"] == 1]
     counts = {
-        "histories": len(found),
+        "histories": len(rows),
         "repeat": len(steady),
         "reference agrees": int((steady["planar"] == steady["reference"]).sum()),
-        "of all": int((found["planar"] == found["reference"]).sum()),
+        "of all": int((rows["planar"] == rows["reference"]).sum()),
         "in space": len(spatial),
         "of these repeat": len(calm),
         "space agrees": int((calm["planar"] == calm["yade"]).sum()),
@@ -112,6 +112,6 @@ def run(folder, data, model="fitted", numbers=(0, 1, 2, 3), every=7, in_space=10
     YADE runs `in_space` doubtful tests of each specimen, and none for 0.
     """
     spatial = doubtful(folder, model, in_space) if in_space else None
-    found = compare(predict.read(folder, model), data, numbers, every, spatial)
-    found.to_csv(f"{folder}/solvers.csv", index=False)
-    return agreement(found)
+    rows = compare(predict.read(folder, model), data, numbers, every, spatial)
+    rows.to_csv(f"{folder}/solvers.csv", index=False)
+    return agreement(rows)

@@ -27,9 +27,9 @@ def predicted(folder, model):
 
 def known(folder, tests, model):
     """Prediction of a model where the outcome is known, with the half of its motion."""
-    found = score.joined(folder, tests, model)
+    compared = score.joined(folder, tests, model)
     mine = handed_out()
-    return found.assign(half=[HALVES[motion not in mine] for motion in found["motion"]])
+    return compared.assign(half=[HALVES[motion not in mine] for motion in compared["motion"]])
 
 
 def calibration(folder, tests=None):
@@ -51,11 +51,11 @@ def calibration(folder, tests=None):
     parts = []
     for model in MODELS:
         score.unchanged(folder, model)
-        found = predicted(folder, model) if outcomes is None else known(folder, outcomes, model)
-        if found.empty:
+        compared = predicted(folder, model) if outcomes is None else known(folder, outcomes, model)
+        if compared.empty:
             raise ConfigError(f"{tests}: expected outcomes of tests: none is known")
-        for half, own in found.groupby("half"):
-            rows = score.calibration(own["probability_of_fall"], own["y"].fillna(0.0))
+        for half, of_half in compared.groupby("half"):
+            rows = score.calibration(of_half["probability_of_fall"], of_half["y"].fillna(0.0))
             if outcomes is None:
                 rows[["fell", "within"]] = np.nan, ""
             parts.append(rows.assign(model=model, half=half))

@@ -70,9 +70,9 @@ def motion(samples):
 
 def motions(folder, numbers):
     """`Motions` of some tests by their number."""
-    with archive(folder, MOTIONS) as found:
+    with archive(folder, MOTIONS) as stored:
         names = {number: f"t{int(number):03d}" for number in numbers}
         for number, name in names.items():
-            if name not in found:
+            if name not in stored:
                 raise ConfigError(f"{folder}/{MOTIONS}: no {name}: expected one of test {number}")
-        return {number: motion(found[name]) for number, name in names.items()}
+        return {number: motion(stored[name]) for number, name in names.items()}

@@ -87,9 +87,9 @@ def shaken(entry):
     )
     fell = tilt.fell or history.status == simulate.OVERTURNED
     status = "failed" if history.status == simulate.FAILED else "fell" if fell else "stood"
-    found = {key: getattr(tilt, key) for key in ("tilt_rad", "twist_rad", "moved_m")}
-    found |= {"dt_s": history.dt_s, "steps": history.steps, "wall_s": history.wall_s}
-    return {"id": entry["id"], "status": status, **found}
+    values = {key: getattr(tilt, key) for key in ("tilt_rad", "twist_rad", "moved_m")}
+    values |= {"dt_s": history.dt_s, "steps": history.steps, "wall_s": history.wall_s}
+    return {"id": entry["id"], "status": status, **values}
 
 
 def main(arguments=None):
@@ -103,9 +103,9 @@ def main(arguments=None):
         if missing := [key for key in KEYS if key not in entry]:
             raise ValueError(f"{args.list}: history {number} has no {listed(missing)}")
     adapter.load_yade()
-    found = []
+    outcomes = []
     for number, entry in enumerate(entries, 1):
-        found.append(shaken(entry))
-        say(f"{number} of {len(entries)}: {entry['id']}, {found[-1]['status']}")
-        write_atomic(args.output, json.dumps(found).encode())
+        outcomes.append(shaken(entry))
+        say(f"{number} of {len(entries)}: {entry['id']}, {outcomes[-1]['status']}")
+        write_atomic(args.output, json.dumps(outcomes).encode())
     return 0
