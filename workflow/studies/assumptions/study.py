@@ -27,7 +27,7 @@ BASE = "as configured"
 # of two-storey masonry, and a building that does not yield
 STRENGTHS = {"V/W 0.10": 0.10, "V/W 0.20": 0.20, "V/W 0.30": 0.30, "elastic": None}
 SPREAD = {"curves": "n_known", "low": 10, "median": 50, "high": 90}
-SPREAD |= {"share_unsafe": lambda found: found.share(low=1.0)}
+SPREAD |= {"share_unsafe": lambda ratios: ratios.share(low=1.0)}
 
 
 OF_BRICKS = (
@@ -51,9 +51,9 @@ def variants(case, stage, surrogate=None):
     strength = case["smdof"]["base_shear_ratio"]
 
     def two_way(mass_kg):
-        found = {"model": case.kind.two_way_model, "return_wall.building_mass_kg": mass_kg}
+        changes = {"model": case.kind.two_way_model, "return_wall.building_mass_kg": mass_kg}
         # bricks that carry the masses have an elastic building alone
-        return found | ({"smdof.base_shear_ratio": None} if bricks else {})
+        return changes | ({"smdof.base_shear_ratio": None} if bricks else {})
 
     def friction(degrees):
         sections = ("facade", "return_wall", *(["w3"] if bricks else []))
@@ -62,8 +62,8 @@ def variants(case, stage, surrogate=None):
     def back(factor):
         """Stiffness of the back joint: L of W2's E/L, the front joints' stiffness of W3."""
         joints = ("jkn_pa_m", "jks_pa_m") if bricks else ()
-        own = {f"w3.{key}": factor * case["w3"][key] for key in joints}
-        return {"return_wall.length_m": length / factor, **own}
+        scaled = {f"w3.{key}": factor * case["w3"][key] for key in joints}
+        return {"return_wall.length_m": length / factor, **scaled}
 
     feel, walls = "return walls feel the façade", "motion of the walls"
     mass_kg = wall["building_mass_kg"] or (stage["mass_kg"] if stage else None)
@@ -170,9 +170,9 @@ def measured(runs, spread, planar, slope=SLOPE):
 
     `runs` are those of the planar solver's scan, or of YADE alone.
     """
-    found = probability.summary(runs if planar else None, runs, (), spread, slope)
+    row = probability.summary(runs if planar else None, runs, (), spread, slope)
     dense = probability.from_scan(runs, spread)
-    return found | {"pga_mean_g": mean_intensity(dense["pga_g"], dense["probability"])}
+    return row | {"pga_mean_g": mean_intensity(dense["pga_g"], dense["probability"])}
 
 
 def from_probabilities(table, slope=SLOPE):
@@ -223,14 +223,14 @@ def pairs(capacity, reference):
 
     See `compared`; a pair that is both stands once.
     """
-    there, found = list(capacity["model"].unique()), []
+    there, ratios = list(capacity["model"].unique()), []
     for kind in (MODELS[name] for name in there if name in MODELS):
         if kind.two_way and kind.one_way_model in there:
             ratio = compared(capacity, kind.name)
-            found.append(ratio[ratio["model"] == kind.one_way_model])
+            ratios.append(ratio[ratio["model"] == kind.one_way_model])
     ratio = compared(capacity, reference)
-    found.append(ratio[ratio["model"] != reference])
-    return pd.concat(found).drop_duplicates(["model", "reference", *KEY])
+    ratios.append(ratio[ratio["model"] != reference])
+    return pd.concat(ratios).drop_duplicates(["model", "reference", *KEY])
 
 
 def losses(capacity):
@@ -263,8 +263,8 @@ def spread_of(table, columns, by):
     """How ratios spread by group and measure, those of which any is known; see SPREAD."""
     wide = table.set_index(by)[columns].rename(columns=lambda name: name.removeprefix("ratio_"))
     long = wide.stack(future_stack=True).rename_axis([*by, "measure"]).reset_index(name="ratio")
-    found = spread(long, [*by, "measure"], SPREAD)
-    return found[found["curves"] > 0]
+    spreads = spread(long, [*by, "measure"], SPREAD)
+    return spreads[spreads["curves"] > 0]
 
 
 def error_by_building(table):

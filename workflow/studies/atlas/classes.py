@@ -138,9 +138,9 @@ def fragility(facades, model, measure="pga_g", base=None, known=None):
             f"class: {100 * outside / given.sum():.0f} % of it lie outside of the formula: {last}"
         )
     medians, spreads, errors = (np.array(part) for part in zip(*said, strict=True))
-    found = combined(medians, spreads, weights)
-    own = float(np.sqrt(np.average(errors**2, weights=weights)))
-    values = (model, measure, *found, own, len(said), len(facades) - len(said))
+    curve = combined(medians, spreads, weights)
+    rms_error = float(np.sqrt(np.average(errors**2, weights=weights)))
+    values = (model, measure, *curve, rms_error, len(said), len(facades) - len(said))
     return dict(zip(COLUMNS, values, strict=True))
 
 

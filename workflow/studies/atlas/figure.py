@@ -20,13 +20,13 @@ def lines(law, model, points=40):
     """Heights [m], and the formula's median and dispersion along them by slenderness and period."""
     low, high = law["limits"]["height_m"]
     heights = np.linspace(low, high, points)
-    found = {}
+    curves = {}
     for slender in SLENDERNESS:
         for period in PERIODS_S[1:2] if model == "W1" else PERIODS_S:
             row = {**COMMON, "slenderness": slender, "period_s": period}
             values = [said({**row, "height_m": h}, model, law=law) for h in heights]
-            found[slender, period] = (np.array([v[0] for v in values]), values[0][1])
-    return heights, found
+            curves[slender, period] = (np.array([v[0] for v in values]), values[0][1])
+    return heights, curves
 
 
 def draw(formula):
@@ -36,8 +36,8 @@ def draw(formula):
     colours = dict(zip(SLENDERNESS, ("#1f6f8b", "#c1440e", "#5b8c3a"), strict=True))
     dashes = dict(zip(PERIODS_S, (":", "-", "--"), strict=True))
     for axis, model in zip(axes[0], models, strict=True):
-        heights, found = lines(formula, model)
-        for (slender, period), (median, spread) in found.items():
+        heights, curves = lines(formula, model)
+        for (slender, period), (median, spread) in curves.items():
             colour = colours[slender]
             axis.plot(heights, median, dashes[period], color=colour, lw=1.4)
             if (slender, period) == (SLENDERNESS[1], PERIODS_S[1]):

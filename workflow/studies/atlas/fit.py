@@ -37,11 +37,13 @@ def wide(table, design, model, base, factor=None):
     the largest intensity.
     """
     part = table[(table["model"] == model) & (table["base"] == base)]
-    found = part.pivot(index="facade", columns=["record", "direction"], values="pga_median_g")
+    medians = part.pivot(index="facade", columns=["record", "direction"], values="pga_median_g")
     if factor is not None:
-        found = found * factor.loc[found.index, found.columns.get_level_values(0)].to_numpy()
-    slender = design["slenderness"].loc[found.index]
-    return np.log(found.mul(slender, axis=0))
+        medians = (
+            medians * factor.loc[medians.index, medians.columns.get_level_values(0)].to_numpy()
+        )
+    slender = design["slenderness"].loc[medians.index]
+    return np.log(medians.mul(slender, axis=0))
 
 
 def matrix(design, names):
@@ -91,9 +93,9 @@ def left_out(terms, values, stations):
         out = np.isin(index, drawn[fold, : len(names) // 2])
         others = np.delete(np.arange(len(values)), at)
         train, test = values[np.ix_(others, np.flatnonzero(~out))], values[at, out]
-        found = terms[at] @ solve(terms[others], train)
+        foretold = terms[at] @ solve(terms[others], train)
         low = np.nanpercentile(test, P16)
-        rows.append((fold, at, np.nanmean(test) - found, low - (found - pooled(train))))
+        rows.append((fold, at, np.nanmean(test) - foretold, low - (foretold - pooled(train))))
     table = pd.DataFrame(rows, columns=["fold", "at", "error", "p16"])
     table["level"] = table.groupby("fold")["error"].transform("mean")
     table["of_facade"] = table["error"] - table["level"]
@@ -108,9 +110,9 @@ def facades_out(terms, values):
     errors, every = [], np.arange(len(values))
     for k in every:
         others = values[every != k]
-        found = terms[k] @ solve(terms[every != k], others)
+        foretold = terms[k] @ solve(terms[every != k], others)
         low = np.nanpercentile(values[k], P16) + pooled(others)
-        errors.append((np.nanmean(values[k]) - found, low - found))
+        errors.append((np.nanmean(values[k]) - foretold, low - foretold))
     return np.transpose(errors)
 
 
@@ -118,9 +120,9 @@ def intervals(terms, values, stations, seed):
     """Ends that hold `CONFIDENCE`, shape (2, k): façades and stations drawn again, together."""
     facades = by_station.resampled(np.arange(len(values)), RESAMPLES, seed)
     motions = by_station.resampled(stations, RESAMPLES, seed + 1)
-    found = [solve(terms, values, pair) for pair in zip(facades, motions, strict=True)]
+    coefficients = [solve(terms, values, pair) for pair in zip(facades, motions, strict=True)]
     tail = 50.0 * (1.0 - CONFIDENCE)
-    return np.percentile(found, (tail, 100.0 - tail), axis=0)
+    return np.percentile(coefficients, (tail, 100.0 - tail), axis=0)
 
 
 def rms(values):
@@ -168,8 +170,8 @@ def ratio_of_bases(table, design, model, base, other, seed, stations_of, names=O
     ratio = pair[1] - pair[0].loc[pair[1].index, pair[1].columns]
     stations = [stations_of[record] for record in ratio.columns.get_level_values(0)]
     terms, y = matrix(design.loc[ratio.index], names), ratio.to_numpy()
-    found = _coefficients(names, terms, y, stations, seed)
-    return found | {"error": round(rms(facades_out(terms, y)[0]), 4), "facades": len(y)}
+    coefficients = _coefficients(names, terms, y, stations, seed)
+    return coefficients | {"error": round(rms(facades_out(terms, y)[0]), 4), "facades": len(y)}
 
 
 def _coefficients(names, terms, y, stations, seed):
@@ -180,20 +182,20 @@ def _coefficients(names, terms, y, stations, seed):
     return {"terms": list(names), **rounded}
 
 
-def law(table, design, factors, stations_of, made_of, own="own"):
+def law(table, design, factors, stations_of, made_of, own_base="own"):
     """Content of the formula's file.
 
     `factors` are by measure, see `wide`, that of PGA left out; `made_of` is what the atlas is
-    (base, seed, …), `own` the name of its base in the table.
+    (base, seed, …), `own_base` the name of its base in the table.
     """
     seed, stacks = made_of["seed"], [r["name"] for r in made_of.get("others", ()) if r["courses"]]
     others = {
         name: OF_STACK if name in stacks else OF_BLOCK
         for name in table["base"].unique()
-        if name != own
+        if name != own_base
     }
     models = [name for name in TERMS if name in set(table["model"])]
-    here = design.loc[sorted(table.loc[table["base"] == own, "facade"].unique())]
+    here = design.loc[sorted(table.loc[table["base"] == own_base, "facade"].unique())]
     # a drawn dimension has the ends of its range; one that follows from several has the least and
     # the largest value that came out
     came = {name: [float(here[name].min()), float(here[name].max())] for name in here}
@@ -204,7 +206,7 @@ def law(table, design, factors, stations_of, made_of, own="own"):
         "models": {
             model: {
                 measure: fitted(
-                    table, here, model, own, measure, factors.get(measure), stations_of, seed
+                    table, here, model, own_base, measure, factors.get(measure), stations_of, seed
                 )
                 for measure in MEASURES
             }
@@ -212,7 +214,7 @@ def law(table, design, factors, stations_of, made_of, own="own"):
         },
         "bases": {
             base: {
-                model: ratio_of_bases(table, here, model, own, base, seed, stations_of, names)
+                model: ratio_of_bases(table, here, model, own_base, base, seed, stations_of, names)
                 for model in models
             }
             for base, names in others.items()

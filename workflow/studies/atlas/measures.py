@@ -27,8 +27,8 @@ def factors(records, design, damping_ratio=0.05):
     pgv, average, sa, both = [], [], [], []
     for record in records:
         peaks = measures(record)
-        found = response_spectrum(record.acceleration_m_s2, record.dt_s, every, damping_ratio)
-        psa = found.psa_m_s2 / G_M_S2 / peaks["pga_g"]
+        spectrum = response_spectrum(record.acceleration_m_s2, record.dt_s, every, damping_ratio)
+        psa = spectrum.psa_m_s2 / G_M_S2 / peaks["pga_g"]
         sa.append(psa[at])
         average.append(np.full(len(periods), np.exp(np.log(psa[middle]).mean())))
         both.append(average[-1] ** (1.0 - AT_T1) * sa[-1] ** AT_T1)

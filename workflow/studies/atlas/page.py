@@ -16,11 +16,11 @@ BLOCKS = {"column": "block, elastic base", "study": "block on E/h"}
 def walls(law):
     """What a reader calls each base of a formula's file, the atlas's own first."""
     others = {row["name"]: row for row in law["made_of"].get("others", [])}
-    found = {law["made_of"]["base"]: BLOCKS[law["made_of"]["base"]]}
+    words = {law["made_of"]["base"]: BLOCKS[law["made_of"]["base"]]}
     for name in law["bases"]:
         row = others[name]
-        found[name] = f"{row['courses']} courses" if row["courses"] else BLOCKS[row["base"]]
-    return found
+        words[name] = f"{row['courses']} courses" if row["courses"] else BLOCKS[row["base"]]
+    return words
 
 
 def content(law):
@@ -29,9 +29,9 @@ def content(law):
     parts = {
         model: {
             measure: {key: part[key] for key in ("terms", "coefficients", "dispersion", "error")}
-            for measure, part in own.items()
+            for measure, part in by_measure.items()
         }
-        for model, own in law["models"].items()
+        for model, by_measure in law["models"].items()
     }
     return {
         "base": made["base"],

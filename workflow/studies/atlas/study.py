@@ -124,8 +124,8 @@ def collapse(cases, motion, directions, settings, base=OWN, piece=1, law=LAW_FIL
     for row in drawn.to_dict("records"):
         here = [facade(case, row, changes, law) for case in cases]
         key = {"facade": row["facade"], "base": base}
-        found = collapses(here, motion, directions, find)
-        rows += [key | one for one in found]
+        curves = collapses(here, motion, directions, find)
+        rows += [key | curve for curve in curves]
     return pd.DataFrame(rows, columns=COLUMNS)
 
 

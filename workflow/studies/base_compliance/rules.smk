@@ -5,10 +5,10 @@ from yade_scripts.lists import listed
 def of_one_block(run):
     """Models of a run whose façade can be cut into courses: dry, before one-way coupled walls."""
     models = [m for m in RUNS.settings[run]["models"] if MODELS[m].compiled]
-    found = [m for m in models if not (MODELS[m].two_way or MODELS[m].bonded)]
-    if not found:
+    usable = [m for m in models if not (MODELS[m].two_way or MODELS[m].bonded)]
+    if not usable:
         stop(f"base_compliance: models = {listed(models)}: expected W1 or W2")
-    return found
+    return usable
 
 
 table_of("base_compliance", "base_static", static="base_static")

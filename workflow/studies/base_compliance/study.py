@@ -74,16 +74,16 @@ def static(facades=None):
     for name, (h, b, density, e_mpa) in (facades or FACADES).items():
         gamma, ratio = column.compliance(h, b, density, 1e6 * e_mpa), b / h
         theta = np.arcsin(D_OVER_B * ratio)
-        own = replace(usual, height_m=h, thickness_m=b, density_kg_m3=density, e_mpa=e_mpa)
+        facade = replace(usual, height_m=h, thickness_m=b, density_kg_m3=density, e_mpa=e_mpa)
         curves = {
             "lambda_rigid": capacity_rigid(theta, h, b),
             "lambda_wall": column.capacity(D_OVER_B, gamma, ratio),
             "lambda_courses": column.capacity(D_OVER_B, gamma, ratio, column.courses(FINE)),
         }
         for law in BASES:
-            jkn, edge = base.parts(replace(own, base=law))
-            found = capacity_compliant_base(theta, h, b, density, jkn, edge_pa=edge)
-            curves[f"lambda_base_{law}"] = found
+            jkn, edge = base.parts(replace(facade, base=law))
+            capacity = capacity_compliant_base(theta, h, b, density, jkn, edge_pa=edge)
+            curves[f"lambda_base_{law}"] = capacity
         about = {"facade": name, "h_m": h, "b_m": b, "e_mpa": e_mpa, "gamma": gamma}
         parts.append(pd.DataFrame({**about, "d_over_b": D_OVER_B, **curves}))
     return pd.concat(parts, ignore_index=True)[STATIC]
@@ -111,8 +111,8 @@ def costed(case, motion, direction, step=None):
         collapse_curve(case, motion, direction, search="list", settings={"pga_g": few})
     start = time.process_time()
     curve = collapse_curve(case, motion, direction, settings=SCAN, fraction=step)
-    found = curve.summary() | {"cpu_s": time.process_time() - start}
-    return found | {"failed": int((curve.status == "failed").sum())}
+    row = curve.summary() | {"cpu_s": time.process_time() - start}
+    return row | {"failed": int((curve.status == "failed").sum())}
 
 
 def collapse(case, motion, direction):
@@ -121,8 +121,8 @@ def collapse(case, motion, direction):
     ratio is of pga_median_g to that of the wall (`WALL`), with what the scatter of both leaves of
     it. `HALF` is the chosen stack at half its step.
     """
-    found = [of_wall(name, own, motion, direction) for name, own in walls(case)]
-    return pd.concat(found, ignore_index=True)
+    tables = [of_wall(name, wall, motion, direction) for name, wall in walls(case)]
+    return pd.concat(tables, ignore_index=True)
 
 
 def of_wall(name, case, motion, direction):
@@ -138,6 +138,6 @@ def of_wall(name, case, motion, direction):
 def summary(table):
     """Spread of the ratios by model and base: 10, 50, 90 % of the curves, scatter of ln ratio."""
     others = table[table["facade"] != STACK]
-    found = spread(others, ["model", "facade"], SUMMARY)
+    spreads = spread(others, ["model", "facade"], SUMMARY)
     time_s = others.groupby(["model", "facade"])["cpu_s"].median()
-    return found.join(time_s.rename("cpu_s"), on=["model", "facade"])
+    return spreads.join(time_s.rename("cpu_s"), on=["model", "facade"])

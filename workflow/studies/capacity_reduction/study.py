@@ -49,7 +49,7 @@ def ratios(alone, behind, facts, sources):
     (base_peak_g). Intensities are in PGA, ratio is of half collapse. Curves whose every run failed
     are left out; censored where one of the two never collapsed.
     """
-    first = {key[1:]: found for _, key, found in alone}
+    first = {key[1:]: intensities for _, key, intensities in alone}
     motions = {str(path): read_json(path) for path in facts}
     rows = []
     for path, (_, record, direction), (of_base, open_2, equivalent_2) in behind:
@@ -60,6 +60,6 @@ def ratios(alone, behind, facts, sources):
         factor = motion["pga_g"] / motion["base_peak_g"]
         w2, equivalent = of_base * factor, equivalent_2 * factor / equivalent_1
         place = motion["t1_s"], motion["base_height_ratio"]
-        found = w1, w2, w2 / w1, equivalent, int(open_1 or open_2)
-        rows.append((record, sources[record], direction, *place, *found))
+        values = w1, w2, w2 / w1, equivalent, int(open_1 or open_2)
+        rows.append((record, sources[record], direction, *place, *values))
     return pd.DataFrame(rows, columns=COLUMNS)

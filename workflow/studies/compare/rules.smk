@@ -23,7 +23,7 @@ def compared_tables(wildcards):
     for run in compared():
         path = Path(collapse_of(run))
         resolved = Path(RESOLVED.format(run=run))
-        missing = [one for one in (path, resolved) if not one.is_file()]
+        missing = [needed for needed in (path, resolved) if not needed.is_file()]
         if run not in RUNS.settings and missing:
             tables = Path().glob(collapse_of("*"))
             names = sorted(p.parents[1].name for p in tables if p.is_file())
@@ -42,17 +42,17 @@ def compared_tables(wildcards):
 
 def compared_facts(wildcards):
     """Provenance files of the runs' records; of a finished run those that it still has."""
-    found = []
+    facts = []
     for run in compared():
         if run in RUNS.settings:
             job = Of(run=run)
-            found += of_run(rules.record.output.facts)(job)
+            facts += of_run(rules.record.output.facts)(job)
             continue
         rows = finished.curves_of(collapse_of(run))
         names = list(dict.fromkeys(row["record"] for row in rows))
         paths = expand(rules.own_record.output.facts, run=run, record=names)
-        found += [path for path in paths if Path(path).is_file()]
-    return list(dict.fromkeys(found))
+        facts += [path for path in paths if Path(path).is_file()]
+    return list(dict.fromkeys(facts))
 
 
 def compared_settings(wildcards):

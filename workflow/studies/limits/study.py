@@ -90,46 +90,46 @@ def verdict_of(model, changes, record, direction):
     try:
         case = Case.configured(model, as_in_the_study(changes))
         given = "planar", case, Motion(record), direction
-        own, half = run_by(*given), run_by(*given, fraction=0.5 * STEP_FRACTION)
+        full, half = run_by(*given), run_by(*given, fraction=0.5 * STEP_FRACTION)
     except (ConfigError, ValueError) as error:
         return {"verdict": "refused", "why": str(error)}
-    time_s, columns = own.time_s, own.columns
-    step_s, steps = own.steps_s[0], math.ceil(time_s[-1] / own.steps_s[0])
-    found, scan_s = {"step_s": step_s, "steps": steps}, SCAN_RUNS * steps * STEP_COST_S
+    time_s, columns = full.time_s, full.columns
+    step_s, steps = full.steps_s[0], math.ceil(time_s[-1] / full.steps_s[0])
+    row, scan_s = {"step_s": step_s, "steps": steps}, SCAN_RUNS * steps * STEP_COST_S
     if scan_s > LIMIT_S:
         why = f"a scan would take some {scan_s / 3600.0:.1f} h"
-        return {**found, "verdict": "too costly", "why": why}
-    levels, _ = own.seen(search.climb(0.5 * own.static_g, CLIMB))
+        return {**row, "verdict": "too costly", "why": why}
+    levels, _ = full.seen(search.climb(0.5 * full.static_g, CLIMB))
     fell = levels.loc[levels["collapsed"] == 1, "pga_g"]
     lowest = float(fell.min()) if len(fell) else CLIMB["max_pga_g"]
-    found["pga_collapse_g"] = lowest
+    row["pga_collapse_g"] = lowest
     worst = {"verdict": "agree", "why": "", "error": 0.0}
     for share in SHARES:
-        at = _at(share * lowest, case, (time_s, columns), own, half, direction)
+        at = _at(share * lowest, case, (time_s, columns), full, half, direction)
         if ORDER.index(at["verdict"]) > ORDER.index(worst["verdict"]) or not worst.get("d_over_b"):
             worst = at
-    return {**found, **worst}
+    return {**row, **worst}
 
 
-def _at(pga_g, case, moving, own, half, direction):
+def _at(pga_g, case, moving, full, half, direction):
     """Verdict at one intensity."""
-    value = float(own.run([pga_g], scatter=False)["d_over_b"].iloc[0])
+    value = float(full.run([pga_g], scatter=False)["d_over_b"].iloc[0])
     near = half.run([pga_g, *(pga_g * (1.0 + c) for c in CHANGES)], scatter=False)["d_over_b"]
     nodes = half.run([pga_g] * 3, scatter=True)["d_over_b"].to_numpy()
     base = float(near.iloc[0])
-    found = {"d_over_b": base, "error": np.nan}
+    row = {"d_over_b": base, "error": np.nan}
     if not np.isfinite([value, base, *nodes]).all():
-        return {**found, "verdict": "failed", "why": "the compiled solver gave no number"}
+        return {**row, "verdict": "failed", "why": "the compiled solver gave no number"}
     gain = max(abs(d - base) / c for d, c in zip(near.iloc[1:], CHANGES, strict=True))
     moved = max(abs(nodes / base - 1.0).max(), abs(value / base - 1.0))
     if gain > TRUSTED or moved > AGREE:
         why = f"{gain:.0f} times a change of amplitude; nodes and step {100.0 * moved:.1f} %"
-        return {**found, "verdict": "does not repeat", "why": why}
+        return {**row, "verdict": "does not repeat", "why": why}
     if case.model not in REFERENCE_MODELS:
-        return {**found, "verdict": "one solver", "why": ""}
+        return {**row, "verdict": "one solver", "why": ""}
     other = answers(case.sections, moving, direction, [pga_g], nodes=NODES, tolerance=TOLERANCE)
     error = float(value / other.d_over_b[0] - 1.0)
     if not np.isfinite(error):
-        return {**found, "verdict": "failed", "why": "the reference solver gave no number"}
+        return {**row, "verdict": "failed", "why": "the reference solver gave no number"}
     verdict = "agree" if abs(error) <= AGREE else "disagree"
-    return {**found, "error": error, "verdict": verdict, "why": ""}
+    return {**row, "error": error, "verdict": verdict, "why": ""}

@@ -4,9 +4,9 @@ from rocking.figures import style
 from rocking.figures.panels import band, panels
 
 
-def _draw_panel(axis, found, yade):
+def _draw_panel(axis, table, yade):
     """Draw the curves of one model."""
-    bare, loaded = found[found["load_kn"] == 0.0].iloc[0], found[found["load_kn"] > 0.0]
+    bare, loaded = table[table["load_kn"] == 0.0].iloc[0], table[table["load_kn"] > 0.0]
     axis.axhline(bare["pga_median_g"], color="0.4", lw=1.0, ls=(0, (1, 1)), label="no roof")
     for (load, part), look in zip(loaded.groupby("load_kn"), style.LOOKS, strict=False):
         colour, line, marker = look
@@ -19,15 +19,15 @@ def _draw_panel(axis, found, yade):
         axis.plot(*at, "k*", ms=6, mfc="k" if share == 1.0 else "none", zorder=3)
         if 0.0 < share < 1.0:
             axis.annotate(f"{share:.0%}", at, (6, -3), textcoords="offset points", fontsize=7)
-    axis.set_title(found["model"].iloc[0], loc="left")
+    axis.set_title(table["model"].iloc[0], loc="left")
     axis.set_xlabel("friction of the roof μ [-]")
 
 
 def draw(tables, yade, record):
     """Draw collapse PGA against the friction of a loaded roof, a panel a model, and YADE's runs."""
     figure, axes = panels(len(tables), len(tables), (3.1, 3.4), around=(1.6, 0.0), sharey=True)
-    for axis, found, runs in zip(axes[0], tables, yade, strict=True):
-        _draw_panel(axis, found, runs)
+    for axis, table, runs in zip(axes[0], tables, yade, strict=True):
+        _draw_panel(axis, table, runs)
     axes[0, 0].set(ylabel="collapse PGA [g]", ylim=(0.0, None))
     for fill, label in (("k", "all"), ("none", "none, or a share,")):
         axes[0, -1].plot([], [], "k*", ms=6, mfc=fill, label=f"YADE: {label} fell")

@@ -51,8 +51,8 @@ def risk_of(model, curves, stations_of, brackets, hazard, risk, settings):
     if np.isfinite(fit.median):
         lognormal = rates.collapse_rate(hazard, fit.median, fit.dispersion)[0][0]
     words = remark(rate, outside, above(curves.values(), hazard) / rate, few)
-    own = (model, hazard.measure, fit.median, fit.dispersion, rate, *ends, risk["years"])
-    row = dict(zip(COLUMNS, (*own, *within, outside, *many, lognormal, words), strict=True))
+    of_model = (model, hazard.measure, fit.median, fit.dispersion, rate, *ends, risk["years"])
+    row = dict(zip(COLUMNS, (*of_model, *within, outside, *many, lognormal, words), strict=True))
     usable = drawn > 0.0
     shares = drawn_by_bin[usable] / drawn[usable, None]
     lower, upper = stations.interval(shares, many[1], confidence)

@@ -32,12 +32,12 @@ def brackets(curves, dense, factors, measures, stations_of, slope):
     """
     rows = []
     for key, table, row in by_curve(curves, dense):
-        own = (*key, stations_of[row["record"]])
+        labels = (*key, stations_of[row["record"]])
         for reading, by in ((SHARE, slope), (FIRST, None)):
             for low, high, weight in probability.brackets(table, row, slope=by):
                 for name in measures:
                     factor = factors[row["record"]][name]
-                    rows.append((*own, name, reading, low * factor, high * factor, weight))
+                    rows.append((*labels, name, reading, low * factor, high * factor, weight))
     return pd.DataFrame(rows, columns=BRACKETS)
 
 
@@ -54,11 +54,11 @@ def shares(curves, dense, per_pga):
 
     See `probability.dense_share`; without curves of which every run failed.
     """
-    found = {
+    unscaled = {
         key: (per_pga[row["record"]], *probability.dense_share(table, row))
         for key, table, row in by_curve(curves, dense)
     }
-    return {key: (factor * x, share) for key, (factor, x, share) in found.items() if x.size}
+    return {key: (factor * x, share) for key, (factor, x, share) in unscaled.items() if x.size}
 
 
 def building_shares(curves, dense, per_pga):
@@ -66,16 +66,16 @@ def building_shares(curves, dense, per_pga):
 
     By key; without curves whose building stays elastic or was not followed.
     """
-    found: dict[tuple, tuple] = {}
+    of_curves: dict[tuple, tuple] = {}
     if "probability_building" not in dense:  # tables of other programs
-        return found
+        return of_curves
     for key, table, row in by_curve(curves, dense):
         known = table[table["probability_building"].notna()]
         if len(known):
             x, fell = probability.dense_share(known, row)
             down = np.interp(x, known["pga_g"], known["probability_building"])
-            found[key] = per_pga[row["record"]] * x, fell, down
-    return found
+            of_curves[key] = per_pga[row["record"]] * x, fell, down
+    return of_curves
 
 
 def share_at(of_curves, intensity):
@@ -87,8 +87,8 @@ def share_at(of_curves, intensity):
     for x, share in of_curves:
         low, _ = cells(x)
         place = np.searchsorted(low, at, side="right") - 1
-        own = np.where(place < 0, 0.0, share[np.maximum(place, 0)])
-        rows.append(np.where((at > x[-1]) & (share[-1] < 1.0), np.nan, own))
+        fallen = np.where(place < 0, 0.0, share[np.maximum(place, 0)])
+        rows.append(np.where((at > x[-1]) & (share[-1] < 1.0), np.nan, fallen))
     return np.mean(rows, axis=0)
 
 
@@ -106,14 +106,14 @@ def fits(table, settings):
         for name in sorted(settings["measures"], key=lambda m: m != "pga_g"):
             of_measure = of_model[of_model["im"] == name]
             part = of_measure[of_measure["reading"] == SHARE]
-            found, draws = fragility.fit_table(part, settings)
-            known, better = np.isfinite(found.median), np.nan
+            fit, draws = fragility.fit_table(part, settings)
+            known, better = np.isfinite(fit.median), np.nan
             if name == "pga_g":
                 by_pga = draws.dispersion
             elif known and by_pga is not None and draws.stations >= stations.FEWEST:
                 better = np.mean(draws.dispersion < 0.999 * by_pga)
             both = {
-                **{"model": model, "im": name, "dispersion": found.dispersion},
+                **{"model": model, "im": name, "dispersion": fit.dispersion},
                 "n": len(part[probability.KEY].drop_duplicates()),
                 "n_records": part["record"].nunique(),
                 "n_stations": draws.stations,
@@ -123,13 +123,13 @@ def fits(table, settings):
                 for of, v in (("median", draws.median), ("dispersion", draws.dispersion))
                 if known
             }
-            own = {"median": found.median, "n_censored": round(never(part), 3)}
-            own |= first(of_measure[of_measure["reading"] == FIRST])
-            own["remark"] = remark(found, part, settings)
-            rows.append(both | own | ends.get("median", {}))
+            row = {"median": fit.median, "n_censored": round(never(part), 3)}
+            row |= first(of_measure[of_measure["reading"] == FIRST])
+            row["remark"] = remark(fit, part, settings)
+            rows.append(both | row | ends.get("median", {}))
             efficiency.append(both | {"less_than_pga": better} | ends.get("dispersion", {}))
             if known:
-                points = fragility.points(found, draws, confidence, POINTS, REACH)
+                points = fragility.points(fit, draws, confidence, POINTS, REACH)
                 curves += [dict(zip(CURVES, (model, name, *p), strict=False)) for p in points]
     return rows, efficiency, curves
 
@@ -141,16 +141,16 @@ def never(part):
 
 def first(part):
     """Median and dispersion of first crossings."""
-    found = fragility.fit(*(part[name].to_numpy() for name in ("low", "high", "weight")))
-    return {"median_first": found.median, "dispersion_first": found.dispersion}
+    fit = fragility.fit(*(part[name].to_numpy() for name in ("low", "high", "weight")))
+    return {"median_first": fit.median, "dispersion_first": fit.dispersion}
 
 
-def remark(found, part, settings):
+def remark(fit, part, settings):
     """What the reader of a row has to know, in a few words."""
     words = []
     many = part["record"].nunique(), part["station"].nunique()
     censored = np.average(np.isinf(part["high"]), weights=part["weight"])
-    if not np.isfinite(found.median):
+    if not np.isfinite(fit.median):
         words.append("not determined: no collapse" if censored == 1.0 else "not determined")
     elif censored > 0.5:
         words.append("median extrapolated: most curves do not collapse")
@@ -175,8 +175,8 @@ def slopes(curves, factors, properties, settings, stations_of):
             intensity = np.log(probability.one_number(part).to_numpy(float) * factor)
             for against in sufficiency.PROPERTIES:
                 x = np.log([properties[record][against] for record in records])
-                found = sufficiency.slope(x, intensity, places, *draws)
-                zero = int(found.low <= 0.0 <= found.high) if np.isfinite(found.low) else np.nan
-                row = (found.value, found.low, found.high, zero, found.n)
+                slope = sufficiency.slope(x, intensity, places, *draws)
+                zero = int(slope.low <= 0.0 <= slope.high) if np.isfinite(slope.low) else np.nan
+                row = (slope.value, slope.low, slope.high, zero, slope.n)
                 rows.append((model, name, against, *row))
     return pd.DataFrame(rows, columns=SLOPES)

@@ -23,7 +23,7 @@ COLUMNS += ["pga_p10_g", "pga_median_g", "ratio", "runs_planar", "first_probabil
 COLUMNS += [*ENDS, "ratio_low", "ratio_high"]
 BY = ["model", "first_pga_g"]
 SPREAD = {"n": "n", "n_censored": "n_censored", "median": 50, "least": 0, "most": 100}
-SPREAD |= {"below_095": lambda found: found.share(high=0.95)}
+SPREAD |= {"below_095": lambda ratios: ratios.share(high=0.95)}
 REALISATIONS = math.lcm(NODE_CHOICES, STEPS)  # of the first shock: every layout and step once
 OFTEN = 0.1  # share of them that falls, above which the second's would be the first's collapse
 
@@ -48,20 +48,20 @@ def alone(case, first, direction, pga_g):
     The second's realisations each begin with one of them.
     """
     how = {"pga_g": [pga_g] * REALISATIONS, "scatter": True}
-    found = collapse_curve(case, first, direction, search="list", settings=how)
-    return float(found.table["collapsed"].mean())
+    curve = collapse_curve(case, first, direction, search="list", settings=how)
+    return float(curve.table["collapsed"].mean())
 
 
 def left_by(case, first, direction, pga_g):
     """What the first shock leaves: whether the façade fell, d/b at rest, joints that broke."""
     if not pga_g:
         return {"fell_first": 0, "left_d_over_b": 0.0, "left_broken": 0, "first_probability": 0.0}
-    found = history(case, first, direction, pga_g)
+    shaken = history(case, first, direction, pga_g)
     share = alone(case, first, direction, pga_g)
-    if found.status == "overturned" or share > OFTEN:
+    if shaken.status == "overturned" or share > OFTEN:
         return {"fell_first": 1, "first_probability": share}
-    rest = float(found.table["d_over_b"].iloc[-1])
-    left = {"left_d_over_b": rest, "left_broken": found.broken, "first_probability": share}
+    rest = float(shaken.table["d_over_b"].iloc[-1])
+    left = {"left_d_over_b": rest, "left_broken": shaken.broken, "first_probability": share}
     return {"fell_first": 0, **left}
 
 
@@ -92,7 +92,7 @@ def summary(table):
     counts in n_fell_first.
     """
     damaged = table[table["first_pga_g"] > 0.0]
-    found = spread(damaged, BY, SPREAD)
+    spreads = spread(damaged, BY, SPREAD)
     fell = damaged.groupby(BY, sort=False)["fell_first"].sum().to_numpy()
-    found.insert(3, "n_fell_first", fell)
-    return found.assign(n_censored=found["n_censored"] - fell)
+    spreads.insert(3, "n_fell_first", fell)
+    return spreads.assign(n_censored=spreads["n_censored"] - fell)

@@ -126,13 +126,13 @@ def fit_table(brackets, settings):
     return fit(low, high, weight), draws
 
 
-def points(found, draws, confidence, count, reach):
+def points(fitted, draws, confidence, count, reach):
     """A fitted curve from `reach` dispersions below its median to as many above, with its band.
 
     Intensity, evenly in its logarithm, probability, lower and upper end of the band.
     """
-    x = found.median * np.exp(np.linspace(-reach, reach, count) * found.dispersion)
-    return zip(x, found.probability(x), *draws.band(x, confidence), strict=True)
+    x = fitted.median * np.exp(np.linspace(-reach, reach, count) * fitted.dispersion)
+    return zip(x, fitted.probability(x), *draws.band(x, confidence), strict=True)
 
 
 def log_mass(a, b):

@@ -72,7 +72,7 @@ def rebounds(time_s, theta_over_alpha, *, sides="one", smallest=SMALLEST):
     sign = np.sign(theta)
     edges = np.flatnonzero(sign[1:] != sign[:-1]) + 1
     runs = np.split(np.arange(len(t)), edges)
-    found = []
+    excursions = []
     for run in runs:
         outward = sign[run[0]] > 0 or (sides == "two" and sign[run[0]] < 0)
         top = run[np.argmax(np.abs(theta[run]))]
@@ -80,29 +80,29 @@ def rebounds(time_s, theta_over_alpha, *, sides="one", smallest=SMALLEST):
             continue
         if top == len(t) - 1:
             break
-        found.append((*_vertex(t, np.abs(theta), top), run))
-    if not found:
+        excursions.append((*_vertex(t, np.abs(theta), top), run))
+    if not excursions:
         return Rebounds(float(abs(theta[0])), np.zeros(0), np.zeros(0), np.zeros(0))
-    last_positive = [entry[2][-1] for entry in found[:-1]]
+    last_positive = [entry[2][-1] for entry in excursions[:-1]]
     impacts = [
         t[i] + (t[i + 1] - t[i]) * theta[i] / (theta[i] - theta[i + 1]) for i in last_positive
     ]
     return Rebounds(
-        release=float(found[0][1]),
+        release=float(excursions[0][1]),
         impact_time_s=np.array(impacts, float),
-        peak_time_s=np.array([entry[0] for entry in found[1:]], float),
-        peak=np.array([entry[1] for entry in found[1:]], float),
+        peak_time_s=np.array([entry[0] for entry in excursions[1:]], float),
+        peak=np.array([entry[1] for entry in excursions[1:]], float),
     )
 
 
-def e_exp(found):
+def e_exp(observed):
     """Experimental restitution after the first `IMPACTS` (eq. 4); nan where there was no impact.
 
     e_n = {[1 − (1 − |θn|/α)²]/[1 − (1 − |θ0|/α)²]}^{1/2n}
     """
     out = np.full(IMPACTS, np.nan)
-    n = np.arange(1, min(IMPACTS, len(found)) + 1)
-    out[: len(n)] = closed_forms.restitution_observed(found.peak[: len(n)], found.release, n)
+    n = np.arange(1, min(IMPACTS, len(observed)) + 1)
+    out[: len(n)] = closed_forms.restitution_observed(observed.peak[: len(n)], observed.release, n)
     return out
 
 

@@ -16,11 +16,11 @@ def _draw_title(pulses):
 
 def draw(table, summary):
     """Draw collapse of surrogates over that of their records, and the weak sides of both."""
-    found = pairs(table)
+    surrogates = pairs(table)
     trust = summary[summary["half"] == "all"].set_index(["model", "pulses"])
-    kinds = sorted(found["pulses"].unique())
-    models = list(dict.fromkeys(found["model"]))
-    both = found["direction"].nunique() > 1  # else no side is the weak one
+    kinds = sorted(surrogates["pulses"].unique())
+    models = list(dict.fromkeys(surrogates["model"]))
+    both = surrogates["direction"].nunique() > 1  # else no side is the weak one
     size, around = (2.2, 3.0 if not both else 2.7), (2.2, 0.0)
     count = (1 + both) * len(kinds)
     figure, axes = panels(count, len(kinds), size, around, sharex="row", sharey="row")
@@ -28,7 +28,7 @@ def draw(table, summary):
         top = axes[0, column]
         for i, model in enumerate(models):
             kind = MODELS[model]
-            part = found[(found["pulses"] == pulses) & (found["model"] == model)]
+            part = surrogates[(surrogates["pulses"] == pulses) & (surrogates["model"] == model)]
             facts = trust.loc[model, pulses]
             label = f"{model}: {facts['ratio_median']:.2f}, scatter {facts['scatter']:.2f}"
             look = {"color": kind.colour, "ls": ("-", "--")[i % 2], "drawstyle": "steps-mid"}
@@ -52,6 +52,6 @@ def draw(table, summary):
     if both:
         axes[1, 0].set_ylabel("log₂(pos/neg), surrogate [-]")
         axes[1, 0].legend(loc="lower right", fontsize=7)
-    records = found["record"].nunique()
+    records = surrogates["record"].nunique()
     figure.suptitle(f"recorded components: {records}\nand surrogates of theirs")
     return figure

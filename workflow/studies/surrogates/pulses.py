@@ -36,8 +36,8 @@ def find_pulses(record, count):
         for cycles in CYCLES
         if (atom := _atom(float(period), cycles, dt)).size <= t.size
     ]
-    found: list[Pulse] = []
-    while atoms and len(found) < count:
+    pulses: list[Pulse] = []
+    while atoms and len(pulses) < count:
         kept = _keep(left, dt)
         fits = (_fit(atom, kept) for atom in atoms)
         _, atom, start, a, b = max(fits, key=lambda fit: fit[0])
@@ -49,9 +49,9 @@ def find_pulses(record, count):
             float(np.degrees(np.arctan2(-b, a))),
             float(dt * (start + atom.half)),
         )
-        found.append(pulse)
+        pulses.append(pulse)
         left = left - pulse.acceleration(t)
-    return tuple(found)
+    return tuple(pulses)
 
 
 def pulse_spec(record, count):

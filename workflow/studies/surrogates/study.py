@@ -28,11 +28,11 @@ DISTINCT = 1.1  # directions whose collapse differs by less have no weak side
 BY = ["half", "model", "pulses"]
 SPREAD = {
     **{"n": "n", "n_censored": "n_censored"},
-    "ratio_median": lambda found: found.percentiles(50, log=True),
-    "ratio_p10": lambda found: found.percentiles(10, log=True),
-    "ratio_p90": lambda found: found.percentiles(90, log=True),
+    "ratio_median": lambda ratios: ratios.percentiles(50, log=True),
+    "ratio_p10": lambda ratios: ratios.percentiles(10, log=True),
+    "ratio_p90": lambda ratios: ratios.percentiles(90, log=True),
     "scatter": "scatter",
-    "within_20_percent": lambda found: found.share(NEAR**-1 * (1.0 - 1e-12), NEAR),
+    "within_20_percent": lambda ratios: ratios.share(NEAR**-1 * (1.0 - 1e-12), NEAR),
 }
 SIDES = ("side_agrees", "n_sides", "side_recorded", "side_surrogate")
 
@@ -84,11 +84,11 @@ def outcome(case, motion, direction, level_ratio):
     The probability at an amplitude is the share that falls within two levels of it.
     """
     how = {"level_ratio": level_ratio, "amplitude_spread": (1.0 + level_ratio) ** 2 - 1.0}
-    found = intensities(case, motion, direction, search="climb", **how)
+    climbed = intensities(case, motion, direction, search="climb", **how)
     return {
-        "pga_collapse_g": found["pga_collapse_g"],
-        "pga_half_g": found["pga_median_g"],
-        "pga_max_g": found["pga_max_g"],
+        "pga_collapse_g": climbed["pga_collapse_g"],
+        "pga_half_g": climbed["pga_median_g"],
+        "pga_max_g": climbed["pga_max_g"],
     }
 
 
@@ -106,8 +106,8 @@ def pairs(table):
     key = ["record", "model", "direction"]
     table = table.assign(half=half_of(table["station"]))
     real = table[table["kind"] == "recorded"].set_index(key)["pga_half_g"].rename("recorded_g")
-    found = table[table["kind"] == "surrogate"].join(real, on=key)
-    return found.assign(ratio=found["pga_half_g"] / found["recorded_g"])
+    surrogates = table[table["kind"] == "surrogate"].join(real, on=key)
+    return surrogates.assign(ratio=surrogates["pga_half_g"] / surrogates["recorded_g"])
 
 
 def sides(group):
@@ -145,8 +145,8 @@ def summary(table):
     lower PGA in the same direction (one half by chance); side_recorded and side_surrogate the
     medians of |ln(pos/neg)| over all.
     """
-    found = pairs(table)
-    halves = [found[found["half"] == half] for half in HALVES]
-    parts = pd.concat([found.assign(half="all"), *halves])
+    surrogates = pairs(table)
+    halves = [surrogates[surrogates["half"] == half] for half in HALVES]
+    parts = pd.concat([surrogates.assign(half="all"), *halves])
     weak = [weak_side(group) for _, group in parts.groupby(BY, sort=False)]
     return pd.concat([spread(parts, BY, SPREAD), pd.DataFrame(weak, columns=SIDES)], axis=1)

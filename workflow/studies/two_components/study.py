@@ -31,7 +31,7 @@ YADE_STEP = 0.2  # of the critical step: d/b as at a quarter of it, to 2e-5
 AT_ONCE = 3  # levels that one start of YADE runs, of the climb under both
 HALF = 0.5  # of the planar collapse: where histories repeat
 SUMMARY = {"curves": "n_known", "median": 50, "p10": 10, "p90": 90, "lowest": 0}
-SUMMARY |= {"below_095": lambda found: found.share(high=np.nextafter(0.95, 0.0))}
+SUMMARY |= {"below_095": lambda ratios: ratios.share(high=np.nextafter(0.95, 0.0))}
 
 
 def with_nodes(case, more=0):
@@ -42,9 +42,9 @@ def with_nodes(case, more=0):
 
 def full(case, settings):
     """Scene file of the scene in three dimensions, with the columns of section two_components."""
-    found = with_nodes(case)
-    found["numerics"] |= {"step_s": None, "step_fraction": YADE_STEP}
-    return {**found, "width_nodes": settings["nodes_width"]}
+    sections = with_nodes(case)
+    sections["numerics"] |= {"step_s": None, "step_fraction": YADE_STEP}
+    return {**sections, "width_nodes": settings["nodes_width"]}
 
 
 class Comparison:
@@ -73,8 +73,8 @@ class Comparison:
         plane, motions, stable = self.planes[int(again)]
         step = STEP_FRACTION * stable * (AGAIN_STEP if again else 1.0)
         factor = amplitude(self.ground, self.direction, pga_g)
-        found = peaks(plane, motions, self.numerics, [factor], step_s=step)
-        return float(np.minimum(found.d_over_b[0], 1.0))
+        outcome = peaks(plane, motions, self.numerics, [factor], step_s=step)
+        return float(np.minimum(outcome.d_over_b[0], 1.0))
 
     def level(self, k):
         """PGA of level k [g]."""
@@ -120,8 +120,8 @@ def collapse(cases, motion, directions, second, settings):
     about = {"second": second.name, "second_ratio": ratio}
 
     def find(case, _, direction):
-        found = Comparison(case, motion, second, direction, settings).compare()
-        return about | dict(zip(FOUND, found, strict=True))
+        values = Comparison(case, motion, second, direction, settings).compare()
+        return about | dict(zip(FOUND, values, strict=True))
 
     return pd.DataFrame(collapses(cases, motion, directions, find), columns=COLUMNS)
 

@@ -21,14 +21,14 @@ def forms(case, bases, law):
     The name is the model's; that of another base has the base behind. Without `bases`, values of
     facade.base, the case's own alone. The law of β may differ by base.
     """
-    found, own = {}, case["facade"]["base"]
-    for base in bases or [own]:
-        if base == own:
-            found[case.model] = case
+    cases, given = {}, case["facade"]["base"]
+    for base in bases or [given]:
+        if base == given:
+            cases[case.model] = case
         else:
             other = case.varied(Variant(base, {"facade.base": base}))
-            found[f"{case.model} {base}"] = other.calibrated(law)
-    return found
+            cases[f"{case.model} {base}"] = other.calibrated(law)
+    return cases
 
 
 def collapse(name, case, motion, direction, factors, settings):
@@ -44,12 +44,12 @@ def collapse(name, case, motion, direction, factors, settings):
         for again in range(1 + (0 < number <= settings["replicates"])):
             step = LONG_STEP * OTHER["step"] if again else LONG_STEP
             how = {"max_pga_g": limit, "from_g": start * OTHER["start"] if again else start}
-            found = crossings(cell, motion, direction, how, step)
+            crossed = crossings(cell, motion, direction, how, step)
             if number == sampling.MEDIAN:
-                first = found["pga_p10_g"] if math.isfinite(found["pga_p10_g"]) else None
+                first = crossed["pga_p10_g"] if math.isfinite(crossed["pga_p10_g"]) else None
             key = {"record": motion.name, "direction": direction, "model": name}
             key |= {"sample": number, "replicate": again, "pga_max_g": limit}
-            rows.append(key | found)
+            rows.append(key | crossed)
     return rows
 
 
@@ -60,22 +60,22 @@ def sampled_motions(runs, run):
     enough.
     """
     resolved = runs.settings[run]
-    own = resolved["uncertainty"]
-    drawn = [row["parameter"] for row in own["parameters"]]
+    settings = resolved["uncertainty"]
+    drawn = [row["parameter"] for row in settings["parameters"]]
     if "base_shear_ratio" in drawn and resolved["smdof"]["base_shear_ratio"] is None:
         raise ValueError(
             "uncertainty.parameters: base_shear_ratio of a building that stays elastic; expected "
             "smdof.base_shear_ratio, the V/W that is multiplied"
         )
-    sampling.scores(own)
-    longest = own["max_duration_s"]
+    sampling.scores(settings)
+    longest = settings["max_duration_s"]
     short = [name for name in runs.records[run] if _duration_s(runs, run, name) <= longest]
     if len(short) < 3:
         raise ValueError(
             f"uncertainty: {len(short)} records of at most {longest:g} s; expected 3 or more "
             "(uncertainty.max_duration_s)"
         )
-    return sampling.motions(short, resolved["directions"], own)
+    return sampling.motions(short, resolved["directions"], settings)
 
 
 def _duration_s(runs, run, name):

@@ -36,13 +36,13 @@ def draw(parts, sensitivity, fragility):
     left.set(xlabel="share of the variance of ln PGA [%]", xlim=(0, None))
     left.set_title("parts (their dispersion)", loc="left", fontsize=8)
 
-    own = sensitivity[sensitivity["model"] != "all"]
-    names = list(dict.fromkeys(own["parameter"]))
+    by_model = sensitivity[sensitivity["model"] != "all"]
+    names = list(dict.fromkeys(by_model["parameter"]))
     everything = sensitivity[sensitivity["model"] == "all"].set_index("parameter")["slope"].abs()
     names.sort(key=lambda name: everything[name])
-    models = list(dict.fromkeys(own["model"]))
+    models = list(dict.fromkeys(by_model["model"]))
     for k, model in enumerate(models):
-        part = own[own["model"] == model].set_index("parameter").loc[names]
+        part = by_model[by_model["model"] == model].set_index("parameter").loc[names]
         y = np.arange(len(names)) + 0.66 / len(models) * ((len(models) - 1) / 2.0 - k)
         kind, other = MODELS[model.split()[0]], " " in model  # on another base: open symbols
         look = {"marker": kind.marker, "color": kind.colour, "label": model}

@@ -44,8 +44,8 @@ def components(y, numerical=0.0):
     motions, points, models = y.shape
     middle = y.mean(axis=2)
     _, motion, material, mixed = two_way(middle)
-    own = [two_way(y[:, :, m] - middle) for m in range(models)]
-    mean, by_motion, by_point, rest = (np.array(part) for part in zip(*own, strict=True))
+    by_model = [two_way(y[:, :, m] - middle) for m in range(models)]
+    mean, by_motion, by_point, rest = (np.array(part) for part in zip(*by_model, strict=True))
     bias = by_motion / motions + by_point / points + rest / (motions * points)
     return {
         "motion": motion,
@@ -89,11 +89,11 @@ def interval(statistic, shape, confidence):
     """
     every = [np.arange(n) for n in shape[:2]]
     best, variance = statistic(*every), 0.0
-    for axis, own in enumerate(every):
-        without = [[np.delete(own, i), every[1 - axis]][:: 1 - 2 * axis] for i in own]
+    for axis, members in enumerate(every):
+        without = [[np.delete(members, i), every[1 - axis]][:: 1 - 2 * axis] for i in members]
         values = np.array([statistic(*indices) for indices in without])
         spread = ((values - values.mean(axis=0)) ** 2).sum(axis=0)
-        variance = variance + (own.size - 1) / own.size * spread
+        variance = variance + (members.size - 1) / members.size * spread
     half = student.ppf(0.5 + 0.5 * confidence, min(shape[:2]) - 1) * np.sqrt(variance)
     return best, best - half, best + half
 
@@ -105,9 +105,9 @@ def table_of_parts(y, numerical, confidence):
     """
 
     def variances(motions, points):
-        found = np.maximum(list(components(y[np.ix_(motions, points)], numerical).values()), 0.0)
-        whole = found.sum()
-        return np.concatenate([found, [whole], found / whole, [1.0]])
+        of_parts = np.maximum(list(components(y[np.ix_(motions, points)], numerical).values()), 0.0)
+        whole = of_parts.sum()
+        return np.concatenate([of_parts, [whole], of_parts / whole, [1.0]])
 
     ends = [np.maximum(v, 0.0).reshape(2, -1) for v in interval(variances, y.shape, confidence)]
     ends = [(np.sqrt(variance), np.minimum(share, 1.0)) for variance, share in ends]

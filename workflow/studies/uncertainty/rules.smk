@@ -22,9 +22,9 @@ def sample_settings(*more):
     keys = ("samples", "sampling", "seed", "replicates", "bases", "parameters", *more)
 
     def text(wildcards):
-        own, limit = (RUNS.cfg(wildcards)[key] for key in ("uncertainty", "ida"))
-        found = {key: own[key] for key in keys}
-        return json.dumps({**found, "max_pga_g": limit["max_pga_g"]}, sort_keys=True)
+        section, limit = (RUNS.cfg(wildcards)[key] for key in ("uncertainty", "ida"))
+        settings = {key: section[key] for key in keys}
+        return json.dumps({**settings, "max_pga_g": limit["max_pga_g"]}, sort_keys=True)
 
     return text
 

@@ -17,13 +17,13 @@ TICKS = (0.1, 0.2, 0.3, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.4, 1.7, 2.0, 3
 def draw(table):
     """Draw collapse PGA with over without vertical motion: its distribution, and by its size."""
 
-    found = ratios(table)
-    found = found[found["measure"] == "median"]
-    reach = max(LEAST, 1.03 * float(np.exp(np.log(found["ratio"]).abs().max())))
+    curves = ratios(table)
+    curves = curves[curves["measure"] == "median"]
+    reach = max(LEAST, 1.03 * float(np.exp(np.log(curves["ratio"]).abs().max())))
     figure, (left, right) = plt.subplots(1, 2, figsize=(7.0, 3.4))
-    for i, model in enumerate(dict.fromkeys(found["model"])):
+    for i, model in enumerate(dict.fromkeys(curves["model"])):
         kind, ls = MODELS[model], LINES[i % len(LINES)]
-        of_model = found[found["model"] == model]
+        of_model = curves[curves["model"] == model]
         for share, look, label in (
             ("hundredth", {"color": style.GREY, "lw": 0.9}, f"{model}, a hundredth of it"),
             ("whole", {"color": kind.colour}, model),

@@ -14,7 +14,7 @@ COLUMNS = [*KEY[:4], "vertical", KEY[4], *(f"pga_{name}_g" for name in MEASURES)
 SUMMARY = {
     **{"n": "n", "n_censored": "n_censored", "ratio_median": 50, "ratio_p10": 10},
     **{"ratio_p90": 90, "ratio_min": 0, "ratio_max": 100, "scatter": "scatter"},
-    "within_5_percent": lambda found: Ratios(np.abs(found.known - 1.0)).share(high=0.05),
+    "within_5_percent": lambda group: Ratios(np.abs(group.known - 1.0)).share(high=0.05),
 }
 
 
@@ -31,8 +31,8 @@ def collapse(cases, motion, directions, station, table, treatment):
     both = Motion.named(motion.name, table, **{**treatment, "vertical_motion": "on"})
     record = both.record
     size = np.abs(record.vertical_m_s2).max() / np.abs(record.acceleration_m_s2).max()
-    found = pd.DataFrame(collapses(cases, both, directions, variants=variants()))
-    return found.assign(station=station, vertical_over_horizontal=size)[COLUMNS]
+    rows = pd.DataFrame(collapses(cases, both, directions, variants=variants()))
+    return rows.assign(station=station, vertical_over_horizontal=size)[COLUMNS]
 
 
 def ratios(table):

@@ -12,13 +12,13 @@ LINES = {"bilinear": "-", "peak_oriented": "--", "origin_oriented": ":", "flag":
 
 def draw(summary):
     """Draw the loss from W1 against the building's strength, and what falls first."""
-    own = _own_period(summary)
-    models = list(dict.fromkeys(own["model"]))
+    of_period = _own_period(summary)
+    models = list(dict.fromkeys(of_period["model"]))
     mapped = summary["period_s"].nunique() > 1
     count = len(models) + 1
     figure, axes = panels(count, count, (2.7, 2.7), around=(0.9, 0.9))
     for axis, model in zip(axes.flat, models, strict=False):
-        _loss(axis, own[own["model"] == model], MODELS[model])
+        _loss(axis, of_period[of_period["model"] == model], MODELS[model])
     lows, highs = zip(*(axis.get_ylim() for axis in axes.flat[: len(models)]), strict=True)
     for axis in axes.flat[: len(models)]:
         axis.set_ylim(min(lows), max(highs))
@@ -26,7 +26,7 @@ def draw(summary):
     if mapped:
         _map(figure, last, summary[summary["model"] == models[-1]])
     else:
-        _first(last, own, models)
+        _first(last, of_period, models)
     return figure
 
 
@@ -62,17 +62,20 @@ def _loss(axis, part, kind):
     axis.legend(fontsize=7, loc="lower left")
 
 
-def _first(axis, own, models):
+def _first(axis, of_period, models):
     """Draw the share of curves in which the building falls first, at the run's period."""
     for model in models:
-        kind, part = MODELS[model], own[(own["model"] == model) & (own["loops"] != ELASTIC)]
+        kind, part = (
+            MODELS[model],
+            of_period[(of_period["model"] == model) & (of_period["loops"] != ELASTIC)],
+        )
         for loops, rows in part.groupby("loops", sort=False):
             rows = rows.sort_values("base_shear_ratio")
             form = {"color": kind.colour, "ls": LINES[loops], "marker": kind.marker, "ms": 4.0}
             x, y = rows["base_shear_ratio"], 100.0 * rows["building_first"]
             axis.plot(x, y, lw=1.0, label=f"{model}, {_words(loops)}", **form)
     axis.set_xscale("log")
-    ticks = sorted(set(own["base_shear_ratio"].dropna()))
+    ticks = sorted(set(of_period["base_shear_ratio"].dropna()))
     axis.set_xticks(ticks, [f"{x:g}" for x in ticks])
     axis.minorticks_off()
     axis.set(xlabel="strength of the building V/W [-]", ylabel="building first [% of curves]")

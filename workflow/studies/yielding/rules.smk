@@ -23,10 +23,10 @@ rule yielding_collapse:
 
 def yielding_models(run):
     """The run's models of one block that the planar solver has; W1 is what is lost from."""
-    found = [m for m in RUNS.compiled(run) if not MODELS[m].bonded]
-    if "W1" not in found or not any(MODELS[m].chain for m in found):
-        stop(f"yielding: models = {found}: expected W1, and W2 or W2m")
-    return found
+    models = [m for m in RUNS.compiled(run) if not MODELS[m].bonded]
+    if "W1" not in models or not any(MODELS[m].chain for m in models):
+        stop(f"yielding: models = {models}: expected W1, and W2 or W2m")
+    return models
 
 
 table_of(

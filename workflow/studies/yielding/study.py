@@ -27,18 +27,18 @@ GROUND = "W1"  # the model with walls that move with the ground
 
 def variants(case, settings, station):
     """The elastic building, then every V/W with all loops; at other periods with the first."""
-    own = case["smdof"]["period_s"]
-    several = sorted({own, *settings["periods_s"]})
-    found = []
-    for period in several if case.kind.chain else [own]:
-        loops = settings["loops"] if period == own else settings["loops"][:1]
+    own_period_s = case["smdof"]["period_s"]
+    several = sorted({own_period_s, *settings["periods_s"]})
+    changed = []
+    for period in several if case.kind.chain else [own_period_s]:
+        loops = settings["loops"] if period == own_period_s else settings["loops"][:1]
         pairs = [(r, law) for r in settings["base_shear_ratios"] for law in loops]
         for ratio, law in [(None, ELASTIC), *(pairs if case.kind.chain else [])]:
             changes = {"smdof.period_s": period, "smdof.base_shear_ratio": ratio}
             changes |= {} if law == ELASTIC else {"smdof.loops": law}
             about = dict(zip(OWN, (station, period, ratio, law), strict=True))
-            found.append(Variant(f"V/W {ratio}, {law}", changes=changes, about=about))
-    return found
+            changed.append(Variant(f"V/W {ratio}, {law}", changes=changes, about=about))
+    return changed
 
 
 def amplitudes(settings):
@@ -61,15 +61,15 @@ def collapse(case, motion, direction, settings, station):
 
 def against(table):
     """Every row with the equivalent PGA of its curve in W1, and in its model's elastic building."""
-    one = "pga_equivalent_g"
-    ground = table[table["model"] == GROUND].set_index(CURVE)[one]
+    measure = "pga_equivalent_g"
+    ground = table[table["model"] == GROUND].set_index(CURVE)[measure]
     elastic = table[table["loops"] == ELASTIC]
-    elastic = elastic.set_index(["model", *CURVE, "period_s"])[one]
+    elastic = elastic.set_index(["model", *CURVE, "period_s"])[measure]
     keys = pd.MultiIndex.from_frame(table[CURVE])
-    own = pd.MultiIndex.from_frame(table[["model", *CURVE, "period_s"]])
+    elastic_keys = pd.MultiIndex.from_frame(table[["model", *CURVE, "period_s"]])
     return table.assign(
-        over_w1=table[one] / ground.reindex(keys).to_numpy(float),
-        over_elastic=table[one] / elastic.reindex(own).to_numpy(float),
+        over_w1=table[measure] / ground.reindex(keys).to_numpy(float),
+        over_elastic=table[measure] / elastic.reindex(elastic_keys).to_numpy(float),
     )
 
 
@@ -82,7 +82,7 @@ def summary(table):
     the façade. Curves that never fall, or of which W1 never does, are left out of the ratios and
     counted in censored.
     """
-    rows, own = [], table.loc[table["model"] == GROUND, "period_s"].unique()
+    rows, own_periods_s = [], table.loc[table["model"] == GROUND, "period_s"].unique()
     for key, part in against(table).groupby(BY, sort=False, dropna=False):
         if key[0] == GROUND:
             continue
@@ -90,7 +90,7 @@ def summary(table):
         rows.append(
             dict(zip(BY, key, strict=True))
             | {
-                "own_period": int(key[1] in own),
+                "own_period": int(key[1] in own_periods_s),
                 "curves": len(part),
                 "censored": int(part["over_w1"].isna().sum()),
                 "loss": 1.0 - loss[0],

@@ -27,9 +27,9 @@ def main(job):
     table = read_frame(job.input.table)
     p = job.params
     figure, axes = plt.subplots(1, 3, figsize=(9.4, 3.4), width_ratios=(1.3, 1.3, 1.0))
-    own = table[np.isclose(table["damping_ratio"], p.smdof["damping_ratio"])]
+    at_damping = table[np.isclose(table["damping_ratio"], p.smdof["damping_ratio"])]
     for axis, (measure, words) in zip(axes, MEASURES.items(), strict=False):
-        image = panel(axis, own[own["measure"] == measure], words)
+        image = panel(axis, at_damping[at_damping["measure"] == measure], words)
     axes[0].set_ylabel("T1 of the building [s]")
     figure.colorbar(image, ax=axes[:2], label="one-way over two-way [-]", shrink=0.9)
     axis = axes[2]

@@ -49,9 +49,9 @@ def main(job):
                 mark = "d" if abs(lowest) < LIMIT else (">" if lowest > 0 else "<")
                 spot = np.clip(lowest, -LIMIT, LIMIT)
                 axis.plot(spot, y, mark, color=LOWEST, ms=3.6, mec="white", mew=0.4, zorder=4)
-        own = [base[f"pga_{name}_g"] for name in ("equivalent", "median")]
+        intensities_g = [base[f"pga_{name}_g"] for name in ("equivalent", "median")]
         names = f"{title[record]}, {style.SIGNS[direction]}\n"
-        names += "equivalent {:.2f} g, p50 {:.2f} g".format(*own)
+        names += "equivalent {:.2f} g, p50 {:.2f} g".format(*intensities_g)
         axis.set_title(names, loc="left", fontsize=7)
         ticks(axis.xaxis, np.log(TICKS), [f"{t:g}" for t in TICKS])
         axis.set_yticks(range(len(rows)), [f"{a}: {b}" for a, b in rows], fontsize=7)

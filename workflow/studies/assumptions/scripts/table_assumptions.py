@@ -20,30 +20,30 @@ def curves(job, records):
     p = job.params
     how = {"spread": p.spread, "slope": p.hazard_slope}
     for scan in map(read_frame, job.input.scans):
-        key, found = curve_key(scan), assumptions.measured(scan, **how, planar=True)
-        yield key, "planar", len(scan), found
+        key, intensities = curve_key(scan), assumptions.measured(scan, **how, planar=True)
+        yield key, "planar", len(scan), intensities
     for curve in map(read_curve, job.input.bricks):
-        key, found = curve_key(curve), assumptions.measured(curve, **how, planar=False)
-        yield key, "YADE", len(curve), found
+        key, intensities = curve_key(curve), assumptions.measured(curve, **how, planar=False)
+        yield key, "YADE", len(curve), intensities
     for path in job.input.others:
         whole = read_frame(path)
         missing = {*probability.KEY, "pga_g", "probability", "realisations"} - set(whole.columns)
         if missing:
             raise ValueError(f"{path}: missing column(s) {listed(sorted(missing))}")
         for key, table in whole[whole["record"].isin(records)].groupby(probability.KEY):
-            found = assumptions.from_probabilities(table, p.hazard_slope)
-            yield key, "given", found["runs"], found
+            intensities = assumptions.from_probabilities(table, p.hazard_slope)
+            yield key, "given", intensities["runs"], intensities
 
 
 def main(job):
     facts = [read_json(path) for path in job.input.facts]
     source = {fact["name"]: fact["source"] for fact in facts}
     rows = []
-    for key, method, runs, found in curves(job, source):
+    for key, method, runs, intensities in curves(job, source):
         named = dict(zip(probability.KEY, key, strict=True))
-        own = {name: found[name] for name in SIDE}
+        side = {name: intensities[name] for name in SIDE}
         how = {"method": method, "runs": runs}
-        rows.append({**named, "source": source[named["record"]], **how, **own})
+        rows.append({**named, "source": source[named["record"]], **how, **side})
     table = pd.DataFrame(rows)
     beside = assumptions.compared(table, job.params.reference)
     write_table(beside[COLUMNS], job.output.table, digits="%.4f")

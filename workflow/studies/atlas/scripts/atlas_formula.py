@@ -27,8 +27,8 @@ def main(job):
         "damping_ratio": job.params.damping_ratio,
     }
     given = factors(records, facades, job.params.damping_ratio)
-    found = fit.law(table, facades, given, job.params.stations, made_of)
-    write_json(job.output.formula, found)
+    formula = fit.law(table, facades, given, job.params.stations, made_of)
+    write_json(job.output.formula, formula)
     write_table(facades.reset_index(), job.output.facades)
 
 

@@ -52,11 +52,11 @@ def main(job):
     for k, model in enumerate(models):
         how = MODELS[model]
         look = {"color": how.colour, "marker": how.marker, "ls": ""}
-        own = wide.loc[[model]]
+        curves = wide.loc[[model]]
         beside = places + (k + 0.5) / len(models) - 0.5
-        for _, row in own.iterrows():
+        for _, row in curves.iterrows():
             axis.plot(row, beside, ms=2.5, alpha=0.5, **look)
-        whole = own.dropna()  # a mean over other curves would be no comparison
+        whole = curves.dropna()  # a mean over other curves would be no comparison
         mean = np.exp(np.log(whole).mean()) if len(whole) else np.full(len(names), np.nan)
         axis.plot(mean, beside, ms=7, mfc="none", mew=1.2, label=model, **look)
     axis.set(xlabel="equivalent collapse PGA [g]: curves, and their mean", xlim=(0.0, None))

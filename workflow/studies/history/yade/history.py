@@ -62,8 +62,8 @@ class Probe:
         pulls = [np.array([key in keys for key in c.keys], bool) for keys in own_keys if keys]
         base, walls = push[below].sum(axis=0), push[~np.any([below, *pulls], axis=0)].sum(axis=0)
         bars = [push[mine, 0].sum() for mine in pulls]
-        own = [not self.chain.intersection(key) for key in c.keys]  # not the chain's springs
-        now = np.array([self.check.height_j(), c.elastic[own].sum()])
+        counted = [not self.chain.intersection(key) for key in c.keys]  # not the chain's springs
+        now = np.array([self.check.height_j(), c.elastic[counted].sum()])
         self.start = now if self.start is None else self.start
         potential, elastic = now - self.start
         kinetic, work = self.check.energy - potential, self.check.work

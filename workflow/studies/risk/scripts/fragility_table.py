@@ -38,7 +38,9 @@ def main(job):
         curves, dense, factors, names, stations, job.params.hazard_slope
     )
     fits, efficiency, fitted = fragility_tables.fits(brackets, settings)
-    known = [(r, stations[r], im, own[im]) for r, own in factors.items() for im in names]
+    known = [
+        (r, stations[r], im, by_measure[im]) for r, by_measure in factors.items() for im in names
+    ]
     write_table(slopes, job.output.sufficiency)
     write_table(brackets, job.output.brackets)
     write_table(fits, job.output.fragility, fragility_tables.FITS)
@@ -52,7 +54,7 @@ def with_shares(fitted, curves, dense, factors):
     table = pd.DataFrame(fitted, columns=CURVES[:-1])
     parts = []
     for (model, im), part in table.groupby(["model", "im"], sort=False):
-        per_pga = {record: own[im] for record, own in factors.items()}
+        per_pga = {record: by_measure[im] for record, by_measure in factors.items()}
         mine = shares(curves[curves["model"] == model], dense, per_pga)
         parts.append(part.assign(share=share_at(mine.values(), part["intensity"])))
     return pd.concat(parts) if parts else table.assign(share=None)

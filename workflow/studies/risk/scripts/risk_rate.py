@@ -19,11 +19,11 @@ def main(job):
     brackets = brackets[(brackets["im"] == hazard.measure) & (brackets["reading"] == SHARE)]
     known = factors[factors["im"] == hazard.measure].set_index("record")
     rows, parts = [], []
-    for model, own in collapse.groupby("model", sort=False):
-        curves = shares(own, dense, known["per_pga"])
+    for model, of_model in collapse.groupby("model", sort=False):
+        curves = shares(of_model, dense, known["per_pga"])
         mine = brackets[brackets["model"] == model]
         row, bins = risk_of(model, curves, known["station"], mine, hazard, risk, settings)
-        built = building_shares(own, dense, known["per_pga"])
+        built = building_shares(of_model, dense, known["per_pga"])
         rows.append(row | beside_building(built, known["station"], hazard, risk, settings))
         parts += bins
     write_table(rows, job.output.table, [*COLUMNS, *BUILDING])

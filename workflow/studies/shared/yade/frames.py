@@ -71,18 +71,18 @@ class Camera:
         self.velocities.append(np.round(np.array(rates, float), 7).tolist())
         self.contacts.append(self._forces(self.balance.contacts()).tolist())
 
-    def _forces(self, found):
+    def _forces(self, contacts):
         """Place [m], force [N] and block it acts on, a row a node; preloads of a bond cancel.
 
         Of two blocks it is the one that the run watches, or else the free one of lower number.
         """
         rows: dict = {}
-        for k, (one, two) in enumerate(found.keys):
-            ends = self.block_of.get(found.a[k], -1), self.block_of.get(found.b[k], -1)
+        for k, (body, other) in enumerate(contacts.keys):
+            ends = self.block_of.get(contacts.a[k], -1), self.block_of.get(contacts.b[k], -1)
             on = min((end for end in ends if end >= 0), key=lambda end: self.rank[end])
-            force = found.force[k] if on == ends[1] else -found.force[k]
-            node = self.balance.bond_of.get(one, self.balance.bond_of.get(two, (one, two)))
-            rows.setdefault((node, on), []).append((found.point[k], force))
+            force = contacts.force[k] if on == ends[1] else -contacts.force[k]
+            node = self.balance.bond_of.get(body, self.balance.bond_of.get(other, (body, other)))
+            rows.setdefault((node, on), []).append((contacts.point[k], force))
         acting = [
             (*np.mean([p for p, _ in parts], axis=0), *np.sum([f for _, f in parts], axis=0), on)
             for (_, on), parts in rows.items()

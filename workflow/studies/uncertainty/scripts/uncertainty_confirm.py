@@ -42,11 +42,13 @@ def main(job):
             for solver in ("planar", "yade")
         )
         known = [row[key] for key in ("record", "direction", "model", "sample")]
-        for pga_g, one, other in zip(
+        for pga_g, by_planar, by_yade in zip(
             levels, planar.to_dict("records"), yade.to_dict("records"), strict=True
         ):
-            both = [found[key] for found in (one, other) for key in ("d_over_b", "status")]
-            same = int(one["status"] == other["status"])
+            both = [
+                answer[key] for answer in (by_planar, by_yade) for key in ("d_over_b", "status")
+            ]
+            same = int(by_planar["status"] == by_yade["status"])
             rows.append((f"cell{k}", *known, pga_g, *both, same))
     write_table(rows, job.output[0], COLUMNS)
 

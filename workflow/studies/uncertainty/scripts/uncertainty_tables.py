@@ -12,11 +12,11 @@ from studies.uncertainty import parts, sampling
 NARROW = 1e-3  # half width of the bracket of a collapse that is known, over it
 
 
-def curves(table, found):
+def curves(table, of_parts):
     """Median and dispersion: of all cells by likelihood, of the parts one after the other."""
     mine = table[(table["replicate"] == 0) & (table["sample"] > 0)]
     fit = fragility.fit(*fragility.brackets_about(mine["pga_median_g"], mine["pga_max_g"], NARROW))
-    beta = found.set_index("part")["beta"]
+    beta = of_parts.set_index("part")["beta"]
     with_material = np.hypot(beta["motion"], beta["material"])
     rows = [
         ("motion", fit.median, beta["motion"]),
@@ -39,21 +39,21 @@ def main(job):
             "more: raise ida.max_pga_g or uncertainty.motions"
         )
     confidence = settings["confidence"]
-    found = parts.table_of_parts(y, parts.numerical_variance(table), confidence)
+    of_parts = parts.table_of_parts(y, parts.numerical_variance(table), confidence)
     size = {"n_motions": y.shape[0], "n_samples": y.shape[1], "n_models": y.shape[2]}
-    write_table(found.assign(**size), job.output.parts)
+    write_table(of_parts.assign(**size), job.output.parts)
     scores, rows = sampling.scores(settings), settings["parameters"]
     answers = {"all": y.mean(axis=2)} | {name: y[:, :, k] for k, name in enumerate(names)}
     tables = []
     for name, answer in answers.items():
-        one = parts.sensitivities(scores, answer, confidence)
-        one.insert(0, "model", name)
-        one.insert(1, "parameter", [row["parameter"] for row in rows])
+        sensitivity = parts.sensitivities(scores, answer, confidence)
+        sensitivity.insert(0, "model", name)
+        sensitivity.insert(1, "parameter", [row["parameter"] for row in rows])
         for key in ("distribution", "spread", "source"):
-            one[key] = [row[key] for row in rows]
-        tables.append(one)
+            sensitivity[key] = [row[key] for row in rows]
+        tables.append(sensitivity)
     write_table(pd.concat(tables), job.output.sensitivity)
-    write_table(curves(table, found), job.output.fragility)
+    write_table(curves(table, of_parts), job.output.fragility)
 
 
 run(main, globals())
