@@ -62,8 +62,8 @@ class Sums(NamedTuple):
 def bands(masonry, low_m, high_m):
     """Bands of masonry between two heights: (low, high, [(weight_n, y_m, z_m)])."""
     cuts = [low_m, *(z for z in masonry.edges_m if low_m + NEAR_M < z < high_m - NEAR_M), high_m]
-    found = [(a, b, masonry.masses(a, b)) for a, b in itertools.pairwise(cuts)]
-    return [row for row in found if row[2]]
+    rows = [(a, b, masonry.masses(a, b)) for a, b in itertools.pairwise(cuts)]
+    return [row for row in rows if row[2]]
 
 
 def _band(masonry, low_m, high_m, masses, move, held):
@@ -87,20 +87,20 @@ def _band(masonry, low_m, high_m, masses, move, held):
 
 def parts(family, candidate):
     """Every `Part` of a plane mechanism, from below."""
-    found, masonry = [], family.masonry
+    of_masonry, masonry = [], family.masonry
     pieces = family.pieces(candidate)
     for low, high, move in pieces:
         rows = bands(masonry, low, high)
-        found += [_band(masonry, a, b, own, move, False) for a, b, own in rows]
+        of_masonry += [_band(masonry, a, b, masses, move, False) for a, b, masses in rows]
     top, move = pieces[-1][1], pieces[-1][2]
     if candidate.held_m is not None and top < masonry.top_m - NEAR_M:
         rows = bands(masonry, top, masonry.top_m)
-        found += [_band(masonry, a, b, own, move, True) for a, b, own in rows]
+        of_masonry += [_band(masonry, a, b, masses, move, True) for a, b, masses in rows]
     if candidate.crack_deg:
-        found.append(
+        of_masonry.append(
             _wedges(repertory.wedge_masses(family, candidate.foot_m, candidate.crack_deg), move)
         )
-    return found + _loads(family, candidate)
+    return of_masonry + _loads(family, candidate)
 
 
 def _wedges(masses, move):
@@ -117,7 +117,7 @@ def _wedges(masses, move):
 
 def _loads(family, candidate):
     """Loads of floors and roof, and what pushes without bearing."""
-    found, foot, held = [], candidate.foot_m, candidate.held_m
+    loads, foot, held = [], candidate.foot_m, candidate.held_m
     pieces = family.pieces(candidate)
     for weight, y, z in family.loads:
         if z < foot + (NEAR_M if foot else 0.0) or not weight:
@@ -126,26 +126,26 @@ def _loads(family, candidate):
         move = next((m for _, high, m in pieces if z <= high + NEAR_M), pieces[-1][2])
         out, up = rate(move((y, z)), 0.0)
         out = 0.0 if fixed else out
-        found.append(Part("load", {"height_m": z}, weight, y, z, out, up, out**2))
+        loads.append(Part("load", {"height_m": z}, weight, y, z, out, up, out**2))
     last = pieces[-1][2]
     if held is None:
         for weight, z in family.pushes:
             if weight and z > foot + NEAR_M:
                 out, _ = rate(last((last((0.0, z))(0.0)[0].real, z)), 0.0)
                 about = {"height_m": z}
-                found.append(Part("pushes", about, weight, math.nan, z, out, 0.0, out**2))
-    return found
+                loads.append(Part("pushes", about, weight, math.nan, z, out, 0.0, out**2))
+    return loads
 
 
 def pulled(candidate):
     """Holds that a mechanism passes, from below."""
-    found = []
+    holds = []
     for pull in candidate.mechanism.pulls:
         height = pull.path(0.0)[1].real
         key = "courses" if pull.fades else "tie" if pull.force_n > 0.0 else "thrust"
         out = rate(pull.path, 0.0)[0]
-        found.append(Pulled(key, pull.force_n, height, pull.slack_m, pull.reach_m, out))
-    return sorted(found, key=lambda row: row.height_m)
+        holds.append(Pulled(key, pull.force_n, height, pull.slack_m, pull.reach_m, out))
+    return sorted(holds, key=lambda row: row.height_m)
 
 
 def sums(rows, holds):
@@ -173,12 +173,12 @@ def turned(candidate, share):
     return theta, control, out, up, mechanism.multiplier(theta) * out - up
 
 
-def results(candidate, found, confidence_factor):
+def results(candidate, total, confidence_factor):
     """Rows (symbol, key of how, value, unit) of a mechanism's capacity, from its sums and FC."""
     g = GRAVITY_M_S2
-    alpha = (found.up_n + found.pull_n) / found.out_n
-    mass = found.out_n**2 / (g * found.square_n)
-    share = g * mass / found.moving_n
+    alpha = (total.up_n + total.pull_n) / total.out_n
+    mass = total.out_n**2 / (g * total.square_n)
+    share = g * mass / total.moving_n
     mechanism = candidate.mechanism
     theta0, d0 = mechanism.ultimate()
     theta, control, out, up, pull = turned(candidate, checks.LIMITS["SLV"][0])

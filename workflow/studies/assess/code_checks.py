@@ -96,8 +96,8 @@ def failing_pga(whole, sections, record):
     """
     demand = RecordDemand(record.acceleration_m_s2, record.dt_s)
     by_code = code_checks(whole, sections, demand, 1.0)
-    found = {key: check.failing_pga_g for key, check in by_code.items() if key in CHECKS}
+    failing_g = {key: check.failing_pga_g for key, check in by_code.items() if key in CHECKS}
     for limit in ("slv", "slc"):  # whoever applies both takes the larger demand
-        found[f"{limit}_both"] = least(by_code, limit)
+        failing_g[f"{limit}_both"] = least(by_code, limit)
     known = code_checks(whole, sections, demand, checks.LEAST_KNOWN)
-    return {**found, "slv_both_fc": least(known)}
+    return {**failing_g, "slv_both_fc": least(known)}

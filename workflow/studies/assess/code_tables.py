@@ -73,61 +73,66 @@ def sensitivity(settings, demand, site):
         factor = variant.about["factor"] if variant.about["key"] == "facade.height_m" else 1.0
         try:
             varied = stated.varied(variant).sections
-            one = Family(varied).at(stretched_site(site, factor))
-            ((_, _, found),) = governing([one], varied, demand)
+            candidate = Family(varied).at(stretched_site(site, factor))
+            ((_, _, by_check),) = governing([candidate], varied, demand)
         except ValueError:  # no such façade, or a confidence factor below 1
             continue
         rows += [
-            {**variant.about, "check": k, "ratio": found[k].ratio} for k in SHOWN if k in found
+            {**variant.about, "check": k, "ratio": by_check[k].ratio}
+            for k in SHOWN
+            if k in by_check
         ]
     return pd.DataFrame(rows, columns=["key", "factor", "check", "ratio"])
 
 
 def stretched_site(site, factor):
     """A `family.Site` with every height times a factor."""
-    own = site.hinge_m, site.held_m, site.top_m
-    hinge, held, top = (None if v is None else factor * v for v in own)
+    heights_m = site.hinge_m, site.held_m, site.top_m
+    hinge, held, top = (None if v is None else factor * v for v in heights_m)
     return site._replace(foot_m=factor * site.foot_m, hinge_m=hinge, held_m=held, top_m=top)
 
 
-def mechanism_row(one, found, tie_kn, letter_g):
+def mechanism_row(candidate, by_check, tie_kn, letter_g):
     """One row of the table of mechanisms.
 
     `letter_g` is the PGA at which its check fails with every link, those that give way early too.
     """
-    mechanism = one.mechanism
+    mechanism, letter = candidate.mechanism, candidate.letter
     mass, ratio, _ = mechanism.participation()
     row = {
-        "part": one.part,
-        "mechanism": one.name,
+        "part": candidate.part,
+        "mechanism": candidate.name,
         "kind": AS_STATED,
         "tie_kn": tie_kn,
-        "foot_m": one.foot_m,
-        "hinge_m": one.hinge_m,
-        "held_m": one.held_m,
-        "side": one.side,
-        **{key: getattr(one, key) for key in EXTENT},
-        "at_foot": one.at_foot,
-        "place": one.place,
+        "foot_m": candidate.foot_m,
+        "hinge_m": candidate.hinge_m,
+        "held_m": candidate.held_m,
+        "side": candidate.side,
+        **{key: getattr(candidate, key) for key in EXTENT},
+        "at_foot": candidate.at_foot,
+        "place": candidate.place,
         "multiplier": mechanism.multiplier(),
         "participating_mass_kg": mass,
         "e_star": ratio,
         "e_star_letter": mechanism.participation(letter=True)[1],
         "d0_m": mechanism.ultimate()[1],
         "d_slv_m": mechanism.limit(0.4)[0],
-        "t0_s": one.t0_s,
-        "pga_fails_g": least(found),
+        "t0_s": candidate.t0_s,
+        "pga_fails_g": least(by_check),
         "pga_letter_g": letter_g,
-        "links_left_out": 0 if one.letter is None else len(one.letter.pulls) - len(mechanism.pulls),
+        "links_left_out": 0 if letter is None else len(letter.pulls) - len(mechanism.pulls),
     }
-    return row | {k: found[k].ratio for k in SHOWN if k in found}
+    return row | {k: by_check[k].ratio for k in SHOWN if k in by_check}
 
 
 def mechanisms(settings, demand, ranked):
     """All mechanisms of the façade as it stands, the least first."""
     slv = Slv(settings, demand)
-    stated = 1e-3 * sum(one.force_n for one in pulls_of(settings["facade"]))
-    rows = [mechanism_row(one, found, stated, slv.letter(one)) for _, one, found in ranked]
+    stated = 1e-3 * sum(pull.force_n for pull in pulls_of(settings["facade"]))
+    rows = [
+        mechanism_row(candidate, by_check, stated, slv.letter(candidate))
+        for _, candidate, by_check in ranked
+    ]
     return pd.DataFrame(rows)
 
 
@@ -146,8 +151,8 @@ def spectra(records, settings, demand, share):
         scale = demand.pga_g / (np.abs(motion.ground_m_s2).max() / G_M_S2)
         dt = record.dt_s / motion.refine
         exact.append(response_spectrum(moved, dt, DRAWN_S, 0.05).psa_m_s2 / G_M_S2 * scale)
-        own = response_spectrum(record.acceleration_m_s2, record.dt_s, DRAWN_S, 0.05)
-        ground.append(own.psa_m_s2 / G_M_S2 * scale)
+        spectrum = response_spectrum(record.acceleration_m_s2, record.dt_s, DRAWN_S, 0.05)
+        ground.append(spectrum.psa_m_s2 / G_M_S2 * scale)
     table = {
         "period_s": DRAWN_S,
         "ground_g": [demand.acceleration(t) for t in DRAWN_S],
@@ -169,19 +174,19 @@ def checks_of(ranked):
     whole = next(row for row in ranked if row[1].whole)
     told = [whole] if ranked[0] is whole else [ranked[0], whole]
     checks, steps, curves = [], [], []
-    for _, one, found in told:
-        for key, check in found.items():
+    for _, candidate, by_check in told:
+        which = candidate.part, candidate.name
+        for key, check in by_check.items():
             values = (check.capacity, check.demand, check.unit, check.ratio, check.failing_pga_g)
-            checks.append(
-                (one.part, one.name, key, check.name, *values, check.demand_pga_g, check.source)
-            )
-            steps += [(one.part, one.name, key, *step) for step in check.steps]
-        d, alpha = one.mechanism.curve()
-        about = {"part": one.part, "mechanism": one.name}
+            checks.append((*which, key, check.name, *values, check.demand_pga_g, check.source))
+            steps += [(*which, key, *step) for step in check.steps]
+        d, alpha = candidate.mechanism.curve()
+        about = {"part": candidate.part, "mechanism": candidate.name}
         curves.append(pd.DataFrame({**about, "d_m": d, "multiplier": alpha}))
-    parts = {one.part for _, one, _ in told}
-    for _, one, found in ranked:
+    parts = {candidate.part for _, candidate, _ in told}
+    for _, candidate, by_check in ranked:
+        which = candidate.part, candidate.name
         for key in ("slv_ground", "slv_height"):
-            if one.part not in parts and key in found:
-                steps += [(one.part, one.name, key, *step) for step in found[key].steps]
+            if candidate.part not in parts and key in by_check:
+                steps += [(*which, key, *step) for step in by_check[key].steps]
     return checks, steps, pd.concat(curves)

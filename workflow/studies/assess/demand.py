@@ -58,8 +58,8 @@ class RecordDemand:
         periods = sorted(wanted - known)
         if not periods:
             return
-        found = response_spectrum(self.acceleration_m_s2, self.dt_s, periods, damping_ratio)
-        for period, value in zip(periods, found.psa_m_s2 / G_M_S2, strict=True):
+        spectrum = response_spectrum(self.acceleration_m_s2, self.dt_s, periods, damping_ratio)
+        for period, value in zip(periods, spectrum.psa_m_s2 / G_M_S2, strict=True):
             self._known[round(period, 12), round(damping_ratio, 12)] = float(value)
 
 
@@ -122,9 +122,9 @@ def largest_displacement(demand, low_s, high_s, damping_ratio):
     periods = sorted({*periods, *(t for t in ground.edges_s if low < t < high_s)})
     if isinstance(ground, RecordDemand):
         ground.compute(periods, damping_ratio)
-    found = [displacement(demand, float(t), damping_ratio) for t in periods]
-    most = max(found)
-    k = next(k for k, value in enumerate(found) if value >= (1.0 - SAME) * most)
+    displacements_m = [displacement(demand, float(t), damping_ratio) for t in periods]
+    most = max(displacements_m)
+    k = next(k for k, value in enumerate(displacements_m) if value >= (1.0 - SAME) * most)
     return most, float(periods[k])
 
 
@@ -178,10 +178,10 @@ class FloorDemand:
             divisor += (r - 1.0) * below**1.6
         elif above > 0.0:
             divisor += (r - 1.0) * above**1.2
-        found = float(r * self.peak_g / divisor)
+        acceleration_g = float(r * self.peak_g / divisor)
         if period_s <= 0.0 or period_s > self.period_s:
-            found = max(found, self.ground.acceleration(period_s, damping_ratio))
-        return found
+            acceleration_g = max(acceleration_g, self.ground.acceleration(period_s, damping_ratio))
+        return acceleration_g
 
 
 def floor_demand(ground, height_ratio, chain, damaged=None):

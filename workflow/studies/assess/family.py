@@ -44,15 +44,15 @@ LAST = ("joint", "change")  # told where nothing else is at that height
 
 def stretched(section, factor):
     """Section facade with every height times a factor: floors, ties and openings move with it."""
-    found = {**section, "height_m": factor * section["height_m"]}
+    changed = {**section, "height_m": factor * section["height_m"]}
     for key in ("gable_height_m", "parapet_height_m"):
-        found[key] = factor * section[key]
+        changed[key] = factor * section[key]
     for rows in ROWS:
-        found[rows] = [
+        changed[rows] = [
             {k: factor * v if k in ("height_m", "z_m") else v for k, v in row.items()}
             for row in section[rows]
         ]
-    return found
+    return changed
 
 
 class Candidate(NamedTuple):
@@ -95,9 +95,9 @@ class Candidate(NamedTuple):
 def pulls_of(facade):
     """What holds a façade (a `Facade` or its section) as `Held`, rigid up to its capacity."""
     return [
-        Held(one.capacity_n, one.height_m, one.reach_m, False, max(one.slack_m, 0.0))
-        for one in holds(Facade.of(facade))
-        if one.kind != FRICTION
+        Held(hold.capacity_n, hold.height_m, hold.reach_m, False, max(hold.slack_m, 0.0))
+        for hold in holds(Facade.of(facade))
+        if hold.kind != FRICTION
     ]
 
 
@@ -154,7 +154,7 @@ class Family:
 
     def part(self, foot_m, at_foot="", part=None):
         """Overturning of what lies above a height, at which there is what the keys say."""
-        own = part or (f"above_{float(round(foot_m, 6))}" if foot_m else WHOLE_PART)
+        name = part or (f"above_{float(round(foot_m, 6))}" if foot_m else WHOLE_PART)
         m, inset = self.masonry, self.settings["hinge_inset_m"]
         hinge = (self._edge(foot_m, inset), foot_m)
         pulls = [p for p in self.pulls if p.height_m > foot_m + NEAR_M]
@@ -164,8 +164,8 @@ class Family:
         pushes = [row for row in self.pushes if row[1] > foot_m + NEAR_M]
         masses, thrusts = m.masses(foot_m, m.top_m), self.thrusting(foot_m)
         top = hinge[0], m.top_m
-        found = toppling(own, masses, hinge, top, loads, pulls, pushes, thrusts)
-        found = leaned(found, self.lean_rad)
+        mechanism = toppling(name, masses, hinge, top, loads, pulls, pushes, thrusts)
+        mechanism = leaned(mechanism, self.lean_rad)
         free = foot_m >= self.height_m - NEAR_M  # above all that the return walls hold
         stated = self.settings["height_ratio"]
         place = self._place(foot_m, max(self.height_m, foot_m))
@@ -173,7 +173,7 @@ class Family:
             place = stated
         t0 = self._period(foot_m, m.top_m) if free else 0.0
         on_ground = self.base_m + foot_m <= 0.0
-        return Candidate(found, foot_m, place, on_ground, t0, part=own, at_foot=at_foot)
+        return Candidate(mechanism, foot_m, place, on_ground, t0, part=name, at_foot=at_foot)
 
     def thrusting(self, foot_m, below_m=math.inf):
         """Static thrusts between two heights: (force_n, height_m)."""
@@ -216,18 +216,18 @@ class Family:
         rows += [(z, "change") for z in every]  # whatever it is that has no key above
         if self.settings["interlocking_course_m"]:
             rows += [(self.height_m * k / FEET, "joint") for k in range(1, FEET)]
-        found: dict[float, list] = {}
+        by_height: dict[float, list] = {}
         for z, key in rows:
-            keys = found.setdefault(round(float(z), 6), [])
+            keys = by_height.setdefault(round(float(z), 6), [])
             if key not in keys and not (keys and key in LAST):
                 keys.append(key)
-        return sorted((z, names.AND.join(keys)) for z, keys in found.items())
+        return sorted((z, names.AND.join(keys)) for z, keys in by_height.items())
 
     def feet(self):
         """Heights above which a part may turn, and keys of what is there."""
         last = self.masonry.top_m - LEAST_PART_M
-        found = {z: keys for z, keys in self.changes() if LEAST_PART_M <= z <= last}
-        return {0.0: "base"} | found
+        changes = {z: keys for z, keys in self.changes() if LEAST_PART_M <= z <= last}
+        return {0.0: "base"} | changes
 
     def levels(self):
         """Heights at which anchored floors or ties hold the façade, the base first.
@@ -235,11 +235,11 @@ class Family:
         A floor that holds by its friction alone is left out, as in all mechanisms. Of those nearer
         than `LEAST_PART_M`, as ties below a floor, the lowest.
         """
-        found = [0.0]
+        levels = [0.0]
         for z in sorted({round(float(p.height_m), 6) for p in self.pulls if p.force_n > 0.0}):
-            if z >= found[-1] + LEAST_PART_M:
-                found.append(z)
-        return found
+            if z >= levels[-1] + LEAST_PART_M:
+                levels.append(z)
+        return levels
 
     def span(self, low_m, foot_m, hinge_m, high_m):
         """Vertical bending of a foot to a level that holds, open at a hinge.
@@ -279,15 +279,15 @@ class Family:
 
         One block's paths begin upright; those of a span begin where a leaning wall has its points.
         """
-        found = candidate.mechanism.pieces
+        pieces = candidate.mechanism.pieces
         if candidate.held_m is None or not self.lean_rad:
-            return found
+            return pieces
         ends = candidate.foot_m, candidate.hinge_m, candidate.held_m
 
         def of(move):
             return lambda point: move(self.leaned_point(point))
 
-        moves = [of(move) for *_, move in found]
+        moves = [of(move) for *_, move in pieces]
         return tuple(zip(ends, ends[1:], moves, strict=False))
 
     def leaned_point(self, point):
@@ -310,9 +310,9 @@ class Family:
         masses, inset = self.corner_masses(side, foot_m), self.settings["hinge_inset_m"]
         thrust = self.settings["hip_thrust_kn"]
         hinge, top = (-inset, foot_m), (-inset, self.height_m)
-        found = toppling("corner", masses, hinge, top, thrusts=[(1e3 * thrust, self.height_m)])
+        mechanism = toppling("corner", masses, hinge, top, thrusts=[(1e3 * thrust, self.height_m)])
         on_ground = self.base_m + foot_m <= 0.0
-        given = found, foot_m, self._place(foot_m, self.height_m), on_ground
+        given = mechanism, foot_m, self._place(foot_m, self.height_m), on_ground
         return Candidate(*given, side=side, part=f"{CORNERS[side]}_corner")
 
     def corner_masses(self, side, foot_m):
@@ -328,19 +328,19 @@ class Family:
     def between(self, mechanism, foot_m, top_m, part, ends):
         """`Candidate` of a mechanism between two ends along the façade, held up to a height."""
         place, on_ground = self._place(foot_m, top_m), self.base_m + foot_m <= 0.0
-        own = Candidate(mechanism, foot_m, place, on_ground, part=part)
-        return own._replace(left_m=ends[0], right_m=ends[1])
+        candidate = Candidate(mechanism, foot_m, place, on_ground, part=part)
+        return candidate._replace(left_m=ends[0], right_m=ends[1])
 
     def _return_wedge(self, foot_m, tangent, depth_m, root):
         """Its part of the return wall, behind the façade; the crack counts from the foot's edge."""
-        found, edge = [], self.masonry.faces(foot_m)[1]
+        masses, edge = [], self.masonry.faces(foot_m)[1]
         for z, step in self.masonry.strips(foot_m):
             deep = edge - self.masonry.faces(z)[0]
             reach = (z - foot_m) * tangent - deep
             weight = reach * step * depth_m * self.masonry.unit_weight
             lever = deep + 0.5 * reach + 0.5 * depth_m
-            found.append((weight, -root * lever, z))
-        return [row for row in found if row[0] > 0.0]
+            masses.append((weight, -root * lever, z))
+        return [row for row in masses if row[0] > 0.0]
 
     def at(self, site):
         """`Candidate` of a `Site`."""
@@ -356,10 +356,10 @@ class Family:
 
     def measure(self, site):
         """What a site is ranked by: the PGA at which its check fails, or α0 without `slv`."""
-        one = self.at(site)
+        candidate = self.at(site)
         if self.slv is not None:
-            return self.slv(one)
-        return one.mechanism.multiplier() if one.mechanism.falls() else math.inf
+            return self.slv(candidate)
+        return candidate.mechanism.multiplier() if candidate.mechanism.falls() else math.inf
 
     def sites(self):
         """`Site` of every mechanism, the whole façade first."""
@@ -368,8 +368,8 @@ class Family:
 
     def all(self):
         """Every mechanism, the whole façade first; a ValueError where one falls at rest."""
-        found = [self.at(site) for site in self.sites()]
-        for one in found:
-            if one.mechanism.multiplier() <= 0.0:
-                raise ValueError(f"{one.name}: does not stand under its own weight")
-        return found
+        candidates = [self.at(site) for site in self.sites()]
+        for candidate in candidates:
+            if candidate.mechanism.multiplier() <= 0.0:
+                raise ValueError(f"{candidate.name}: does not stand under its own weight")
+        return candidates

@@ -81,13 +81,13 @@ class Wedge(NamedTuple):
         e = self.outer_m - self.inner_m
 
         def path(theta):
-            found = 0.0 * theta
+            apart_m = 0.0 * theta
             for long in (self.middle_m - self.left_m, self.right_m - self.middle_m):
                 along = math.hypot(long, self.depth_m)
                 s = (height_m - self.foot_m) * long / along
                 cos, sin = self._turned(long, theta)
-                found = found + self.depth_m / along * (s * (cos - 1.0) + e * sin)
-            return found, 0.0 * theta
+                apart_m = apart_m + self.depth_m / along * (s * (cos - 1.0) + e * sin)
+            return apart_m, 0.0 * theta
 
         return path
 
@@ -110,7 +110,7 @@ def hanging(name, wedge, masses, loads=(), pulls=(), thrust_n=0.0):
     bodies = (
         [row for row in carried if (row[1] < wedge.middle_m) is left] for left in (True, False)
     )
-    lumped = tuple(_lump(wedge, own) for own in bodies if own)
+    lumped = tuple(_lump(wedge, body) for body in bodies if body)
     held = [
         Pull(force, wedge.move(x, wedge.outer_m, z), reach, False, slack)
         for force, x, z, slack, reach in pulls

@@ -51,14 +51,14 @@ class Masonry:
 
     def width(self, height_m):
         """Width of masonry at a height [m]."""
-        found = self.width_m
+        width_m = self.width_m
         if self.gable_m > 1e-9 and height_m > self.top_m - self.gable_m:
-            found *= (self.top_m - height_m) / self.gable_m
-        half = 0.5 * found
+            width_m *= (self.top_m - height_m) / self.gable_m
+        half = 0.5 * width_m
         for x0, x1, z0, z1 in self.shape.openings:
             if z0 <= height_m <= z1:
-                found -= max(0.0, min(x1, half) - max(x0, -half))
-        return max(found, 0.0)
+                width_m -= max(0.0, min(x1, half) - max(x0, -half))
+        return max(width_m, 0.0)
 
     def projecting(self, height_m):
         """Cornices at a height: (y0, y1)."""
@@ -67,16 +67,16 @@ class Masonry:
     def masses(self, low_m, high_m):
         """Weights between two heights: (weight_n, y_m, z_m), two an interval of `edges_m`."""
         cuts = [low_m, *(z for z in self.edges_m if low_m < z < high_m), high_m]
-        found = []
+        masses = []
         for a, b in itertools.pairwise(cuts):
             for z in gauss(a, b):
                 back, front = self.faces(z)
                 weight = 0.5 * (b - a) * self.width(z) * (front - back) * self.unit_weight
-                found.append((weight, 0.5 * (back + front), z))
+                masses.append((weight, 0.5 * (back + front), z))
                 for y0, y1 in self.projecting(z):
                     weight = 0.5 * (b - a) * self.width_m * (y1 - y0) * self.unit_weight
-                    found.append((weight, 0.5 * (y0 + y1), z))
-        return [row for row in found if row[0] > 0.0]
+                    masses.append((weight, 0.5 * (y0 + y1), z))
+        return [row for row in masses if row[0] > 0.0]
 
     @property
     def weight_n(self):
@@ -101,7 +101,7 @@ class Masonry:
         (z − foot) · tangent along the façade; x counts from that corner inward, to the centroid of
         what the openings leave.
         """
-        found = []
+        masses = []
         for z, height in self.strips(foot_m):
             reach = min((z - foot_m) * tangent, self.width_m)
             wide, first = reach, 0.5 * reach**2
@@ -113,8 +113,8 @@ class Masonry:
             back, front = self.faces(z)
             weight = wide * height * (front - back) * self.unit_weight
             if weight > 0.0:
-                found.append((weight, first / wide, 0.5 * (back + front), z))
+                masses.append((weight, first / wide, 0.5 * (back + front), z))
             for y0, y1 in self.projecting(z) if reach > 0.0 else ():
                 weight = reach * height * (y1 - y0) * self.unit_weight
-                found.append((weight, 0.5 * reach, 0.5 * (y0 + y1), z))
-        return found
+                masses.append((weight, 0.5 * reach, 0.5 * (y0 + y1), z))
+        return masses

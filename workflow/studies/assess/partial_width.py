@@ -27,17 +27,17 @@ FOLLOWED, BETWEEN = 3, 4  # of these the weakest, and feet tried to the next one
 def lines(family):
     """Places along the façade between which a part of its width may turn, from left to right."""
     half = 0.5 * family.masonry.width_m
-    found = {-half, half}
-    found |= {x for x0, x1, *_ in family.masonry.shape.openings for x in (x0, x1)}
+    places = {-half, half}
+    places |= {x for x0, x1, *_ in family.masonry.shape.openings for x in (x0, x1)}
     for row in family.facade.ties:
-        found |= set(rods_at(row, family.masonry.width_m))
-    return sorted({round(x, 6) for x in found})
+        places |= set(rods_at(row, family.masonry.width_m))
+    return sorted({round(x, 6) for x in places})
 
 
 def within(family, left_m, right_m):
     """What holds between two lines, as `Held`: rods strictly inside, anchors of floors by width."""
     width = family.masonry.width_m
-    share, found = (right_m - left_m) / width, []
+    share, pulls = (right_m - left_m) / width, []
     shares = [
         sum(left_m + NEAR_M < x < right_m - NEAR_M for x in rods_at(row, width)) / row.count
         for row in family.facade.ties
@@ -45,31 +45,31 @@ def within(family, left_m, right_m):
     shares += [share] * (len(family.pulls) - len(shares))
     for pull, part in zip(family.pulls, shares, strict=True):  # in the order of `holds`: ties first
         if part > 0.0:
-            found.append(pull._replace(force_n=part * pull.force_n))
-    return found
+            pulls.append(pull._replace(force_n=part * pull.force_n))
+    return pulls
 
 
 def _cracks(family, foot_m, ends):
     """Friction of interlocked courses on the sides of a part of the width, as `Held` that fade."""
-    own, m, found = family.settings, family.masonry, []
-    course, overlap = own["interlocking_course_m"], own["interlocking_overlap_m"]
+    settings, m, pulls = family.settings, family.masonry, []
+    course, overlap = settings["interlocking_course_m"], settings["interlocking_overlap_m"]
     if not course:
         return []
     walls = wall_strips(m.width_m, family.wall) if family.wall["count"] else []
     inside = sum(ends[0] <= 0.5 * (a + b) <= ends[1] for a, b in walls)
     if inside:
         held = family._interlocked(foot_m)
-        found.append(held._replace(force_n=held.force_n * inside / len(walls)))
+        pulls.append(held._replace(force_n=held.force_n * inside / len(walls)))
     tall = m.height_m - foot_m
-    rough = 0.8 * own["interlocking_friction"] * overlap / course * m.unit_weight
+    rough = 0.8 * settings["interlocking_friction"] * overlap / course * m.unit_weight
     rough *= 1.0 + course / tall
     for x in ends:
         if abs(x) < 0.5 * m.width_m - NEAR_M:
             for z, height in region.on_crack(m, x, foot_m, m.height_m):
                 back, front = m.faces(z)
                 force = rough * (front - back) * (m.height_m - z) * height
-                found.append(Held(force, z, overlap, True))
-    return found
+                pulls.append(Held(force, z, overlap, True))
+    return pulls
 
 
 def part_width(family, foot_m, ends):
@@ -88,9 +88,9 @@ def part_width(family, foot_m, ends):
     top = m.top_m if m.gable_m <= NEAR_M else max(top, m.height_m)
     masses = [(w, y, z) for w, _, y, z in rows]
     thrusts = [(share * force, z) for force, z in family.thrusting(foot_m)]
-    found = toppling(PART_WIDTH, masses, hinge, (hinge[0], top), loads, pulls, pushes, thrusts)
-    found = leaned(found, family.lean_rad)
-    return family.between(found, foot_m, m.height_m, PART_WIDTH, ends)
+    mechanism = toppling(PART_WIDTH, masses, hinge, (hinge[0], top), loads, pulls, pushes, thrusts)
+    mechanism = leaned(mechanism, family.lean_rad)
+    return family.between(mechanism, foot_m, m.height_m, PART_WIDTH, ends)
 
 
 def widths(family):
@@ -105,25 +105,25 @@ def widths(family):
         a + share * (b - a) for a, b in itertools.pairwise([*feet, last]) for share in THIRDS
     ]
     for foot in [*feet, *between]:
-        own = list(_screened(family, foot))
+        pairs = list(_screened(family, foot))
         for measure in (0, 1):
-            best = sorted(own, key=lambda row: row[measure])[: BEST if foot in feet else 1]
+            best = sorted(pairs, key=lambda row: row[measure])[: BEST if foot in feet else 1]
             chosen += [(foot, row[2]) for row in best]
 
     def measured(foot, ends):
         site = Site(PART_WIDTH, foot, left_m=ends[0], right_m=ends[1])
         return family.measure(site), site
 
-    found = sorted((measured(*one) for one in set(chosen)), key=lambda row: row[0])
-    for _, site in found[:FOLLOWED]:
+    ranked = sorted((measured(*place) for place in set(chosen)), key=lambda row: row[0])
+    for _, site in ranked[:FOLLOWED]:
         foot, ends = site.foot_m, (site.left_m, site.right_m)
         low = max((z for z in feet if z < foot), default=foot)
         beside = low, foot, min((z for z in feet if z > foot), default=last)
         for a, b in itertools.pairwise(beside):
             samples = np.linspace(a, b, BETWEEN + 2)[1:-1].tolist() if b - a > NEAR_M else []
-            own = [z for z in samples if any(row[2] == ends for row in _screened(family, z))]
-            found += [measured(z, ends) for z in own]
-    return [min(found, key=lambda row: row[0])[1]] if found else []
+            heights = [z for z in samples if any(row[2] == ends for row in _screened(family, z))]
+            ranked += [measured(z, ends) for z in heights]
+    return [min(ranked, key=lambda row: row[0])[1]] if ranked else []
 
 
 def _screened(family, foot_m):
@@ -144,7 +144,7 @@ def _screened(family, foot_m):
         standing.append([region.length(m, z, ends) for z in middles])
     sums, solid = np.array(columns), np.array(standing)
     loads = [row for row in family.loads if row[2] >= foot_m + (NEAR_M if foot_m else 0.0)]
-    found: dict[tuple, tuple] = {}
+    pairs: dict[tuple, tuple] = {}
     for i, j in itertools.combinations(range(len(every)), 2):
         ends = every[i], every[j]
         wide = ends[1] - ends[0]
@@ -163,5 +163,5 @@ def _screened(family, foot_m):
         rights -= sum(f * wide / m.width_m * (z - foot_m) for f, z in family.thrusting(foot_m))
         out += sum(w * wide / m.width_m * (z - foot_m) for w, z in family.pushes)
         alpha = rights / out
-        found.setdefault((round(alpha, 9), round(per, 9)), (alpha, alpha * per, ends))
-    return found.values()
+        pairs.setdefault((round(alpha, 9), round(per, 9)), (alpha, alpha * per, ends))
+    return pairs.values()

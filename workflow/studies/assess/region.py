@@ -37,13 +37,13 @@ def _spans(masonry, z, left, right):
     if masonry.gable_m > NEAR_M and z > masonry.top_m - masonry.gable_m:
         half *= (masonry.top_m - z) / masonry.gable_m
     at, right = max(left, -half), min(right, half)
-    found = []
+    spans = []
     for x0, x1, z0, z1 in sorted(masonry.shape.openings):
         if z0 <= z <= z1 and x1 > at and x0 < right:
             if x0 > at:
-                found.append((at, x0))
+                spans.append((at, x0))
             at = max(at, x1)
-    return [*found, (at, right)] if right - at > NEAR_M else found
+    return [*spans, (at, right)] if right - at > NEAR_M else spans
 
 
 def masses(masonry, low_m, high_m, ends, cuts=()):
@@ -51,28 +51,28 @@ def masses(masonry, low_m, high_m, ends, cuts=()):
 
     Cornices count before masonry; where an opening is behind one it is left out.
     """
-    found = []
+    weights = []
     for z, height, x0, x1 in strips(masonry, low_m, high_m, ends, cuts):
         back, front = masonry.faces(z)
         weight = 0.5 * (x1 - x0) * height * (front - back) * masonry.unit_weight
-        found += [(weight, x, 0.5 * (back + front), z) for x in gauss(x0, x1)]
+        weights += [(weight, x, 0.5 * (back + front), z) for x in gauss(x0, x1)]
         for y0, y1 in masonry.projecting(z):
             weight = 0.5 * (x1 - x0) * height * (y1 - y0) * masonry.unit_weight
-            found += [(weight, x, 0.5 * (y0 + y1), z) for x in gauss(x0, x1)]
-    return found
+            weights += [(weight, x, 0.5 * (y0 + y1), z) for x in gauss(x0, x1)]
+    return weights
 
 
 def on_crack(masonry, x_m, low_m, high_m):
     """Pieces of a vertical line that are masonry on either side: (z, height) at Gauss points."""
     beside = {z for x0, x1, *zs in masonry.shape.openings if x0 <= x_m <= x1 for z in zs}
     inside = sorted({low_m, high_m, *(z for z in beside if low_m < z < high_m)})
-    found = []
+    pieces = []
     for a, b in itertools.pairwise(inside):
         middle = 0.5 * (a + b)
         rows = masonry.shape.openings
         if not any(x0 <= x_m <= x1 and z0 < middle < z1 for x0, x1, z0, z1 in rows):
-            found += [(z, 0.5 * (b - a)) for z in gauss(a, b)]
-    return found
+            pieces += [(z, 0.5 * (b - a)) for z in gauss(a, b)]
+    return pieces
 
 
 def length(masonry, height_m, ends):

@@ -49,23 +49,23 @@ AT_BASE = f"{COMPOUND}_at_base"
 
 def sites(family):
     """`Site`s of the mechanisms that `assessment.mechanisms` names, each where it is weakest."""
-    asked, found = family.settings["mechanisms"], []
+    asked, weakest = family.settings["mechanisms"], []
     for kind, rule in ((COMPOUND, compounds), (HORIZONTAL, horizontals), (PART_WIDTH, widths)):
         if kind in asked:
-            found += rule(family)
-    return found
+            weakest += rule(family)
+    return weakest
 
 
 def at(family, site):
     """`Candidate` of a `Site` of this module; of one kind the part's name is that of the site."""
     if site.crack_deg is not None:
-        found = compound(family, site.foot_m, site.crack_deg)
+        candidate = compound(family, site.foot_m, site.crack_deg)
     elif site.middle_m is not None:
         places = site.left_m, site.middle_m, site.right_m
-        found = horizontal(family, site.foot_m, site.top_m, places)
+        candidate = horizontal(family, site.foot_m, site.top_m, places)
     else:
-        found = part_width(family, site.foot_m, (site.left_m, site.right_m))
-    return found._replace(part=site.part)
+        candidate = part_width(family, site.foot_m, (site.left_m, site.right_m))
+    return candidate._replace(part=site.part)
 
 
 def steepest_deg(family):
@@ -81,13 +81,13 @@ def wedge_masses(family, foot_m, crack_deg):
     m, tangent = family.masonry, math.tan(math.radians(crack_deg))
     deep = family.wall["count"] * family.wall["thickness_m"] * m.unit_weight
     cuts = sorted({foot_m, m.height_m, *(z for z in m.edges_m if foot_m < z < m.height_m)})
-    found = []
+    masses = []
     for low, high in itertools.pairwise(cuts):
         for z in gauss(low, high):
             reach = (z - foot_m) * tangent
             weight = 0.5 * (high - low) * deep * reach
-            found.append((weight, m.faces(z)[0] - 0.5 * reach, z))
-    return [row for row in found if row[0] > 0.0]
+            masses.append((weight, m.faces(z)[0] - 0.5 * reach, z))
+    return [row for row in masses if row[0] > 0.0]
 
 
 def compound(family, foot_m, crack_deg):
@@ -114,9 +114,9 @@ def compound(family, foot_m, crack_deg):
     pushes = [row for row in family.pushes if row[1] > foot_m + NEAR_M]
     masses = m.masses(foot_m, m.top_m) + wedge
     top, thrusts = (hinge[0], m.top_m), family.thrusting(foot_m)
-    found = toppling(COMPOUND, masses, hinge, top, loads, pulls, pushes, thrusts)
-    found = leaned(found, family.lean_rad)
-    return plain._replace(mechanism=found, **about)
+    mechanism = toppling(COMPOUND, masses, hinge, top, loads, pulls, pushes, thrusts)
+    mechanism = leaned(mechanism, family.lean_rad)
+    return plain._replace(mechanism=mechanism, **about)
 
 
 def compounds(family):
@@ -136,13 +136,13 @@ def compounds(family):
     feet = {*np.linspace(0.0, last, FEET).tolist(), *(z for z in family.feet() if z < last)}
     measure = _remembered(family, lambda z, deg: Site("", z, crack_deg=deg))
     rows = [(measure(z, deg), z, deg) for z in sorted(feet) for deg in angles]
-    found = {COMPOUND: _follow(measure, min(rows), sorted(feet), angles, last)}
-    if found[COMPOUND][1] > 0.0:
+    weakest = {COMPOUND: _follow(measure, min(rows), sorted(feet), angles, last)}
+    if weakest[COMPOUND][1] > 0.0:
         base = min(row for row in rows if row[1] == 0.0)
-        found[AT_BASE] = _follow(measure, base, [0.0], angles, 0.0)
+        weakest[AT_BASE] = _follow(measure, base, [0.0], angles, 0.0)
     return [
         Site(part, z, crack_deg=deg)
-        for part, (_, z, deg) in found.items()
+        for part, (_, z, deg) in weakest.items()
         if deg > VERTICAL_DEG or stated is not None
     ]
 
@@ -151,10 +151,10 @@ def _remembered(family, site):
     """What a site of two numbers is ranked by, asked for once."""
     memo: dict[tuple, float] = {}
 
-    def measure(one, other):
-        key = round(float(one), 4), round(float(other), 4)
+    def measure(first, second):
+        key = round(float(first), 4), round(float(second), 4)
         if key not in memo:
-            memo[key] = family.measure(site(float(one), float(other)))
+            memo[key] = family.measure(site(float(first), float(second)))
         return memo[key]
 
     return measure
@@ -162,10 +162,10 @@ def _remembered(family, site):
 
 def _apart(heights, last):
     """Heights and those between them, at most `APART_M` apart."""
-    found = {last}
+    samples = {last}
     for a, b in itertools.pairwise(sorted({*heights, last})):
-        found |= set(np.linspace(a, b, math.ceil((b - a) / APART_M - NEAR_M) + 1)[:-1].tolist())
-    return sorted(found)
+        samples |= set(np.linspace(a, b, math.ceil((b - a) / APART_M - NEAR_M) + 1)[:-1].tolist())
+    return sorted(samples)
 
 
 def _valleys(values):
@@ -176,14 +176,15 @@ def _valleys(values):
     """
     wide = np.pad(values, 1, constant_values=math.inf)
     about = np.lib.stride_tricks.sliding_window_view(wide, (3, 3)).min(axis=(2, 3))
-    found = np.argwhere((values <= about) & np.isfinite(values))
-    return sorted(map(tuple, found.tolist()), key=lambda place: values[place])
+    places = np.argwhere((values <= about) & np.isfinite(values))
+    return sorted(map(tuple, places.tolist()), key=lambda place: values[place])
 
 
 def _follow(measure, best, firsts, seconds, last):
     """The least (measure, first, second) about the best of a grid, each halved in turn."""
     gaps = [
-        max((b - a for a, b in itertools.pairwise(own)), default=0.0) for own in (firsts, seconds)
+        max((b - a for a, b in itertools.pairwise(samples)), default=0.0)
+        for samples in (firsts, seconds)
     ]
     ends = (0.0, last), (min(seconds), max(seconds))
     fine = NEAR_M_FOOT, 0.01 * (ends[1][1] - ends[1][0])
@@ -204,14 +205,14 @@ def supports(family):
     The rods of a row hold at its height. Return walls whose courses are interlocked with the façade
     hold up to its eaves.
     """
-    m, found = family.masonry, set()
+    m, spans = family.masonry, set()
     for row in family.facade.ties:
         places = rods_at(row, m.width_m)
-        found |= {(a, b, row.height_m) for a, b in itertools.pairwise(places)}
+        spans |= {(a, b, row.height_m) for a, b in itertools.pairwise(places)}
     if steepest_deg(family) is not None and family.wall["count"] > 1:
         walls = wall_strips(m.width_m, family.wall)
-        found |= {(a[1], b[0], m.height_m) for a, b in itertools.pairwise(walls)}
-    return sorted(row for row in found if row[1] - row[0] > 2.0 * LEAST_PART_M)
+        spans |= {(a[1], b[0], m.height_m) for a, b in itertools.pairwise(walls)}
+    return sorted(row for row in spans if row[1] - row[0] > 2.0 * LEAST_PART_M)
 
 
 def horizontal(family, foot_m, top_m, places):
@@ -231,7 +232,7 @@ def horizontal(family, foot_m, top_m, places):
     cuts = np.linspace(foot_m, top_m, STRIPS + 1).tolist()
     masses = region.masses(m, foot_m, m.top_m, lambda z: (wedge.ends(z)[0], places[1]), cuts)
     masses += region.masses(m, foot_m, m.top_m, lambda z: (places[1], wedge.ends(z)[1]), cuts)
-    found = hanging(
+    mechanism = hanging(
         HORIZONTAL,
         wedge,
         masses,
@@ -239,25 +240,25 @@ def horizontal(family, foot_m, top_m, places):
         _passed(family, wedge),
         1e3 * (family.settings["arch_thrust_kn"] or 0.0),
     )
-    own = family.between(found, foot_m, top_m, HORIZONTAL, (places[0], places[2]))
-    return own._replace(middle_m=places[1], top_m=top_m)
+    candidate = family.between(mechanism, foot_m, top_m, HORIZONTAL, (places[0], places[2]))
+    return candidate._replace(middle_m=places[1], top_m=top_m)
 
 
 def _spread(family, wedge, loads):
     """Loads on a wedge by its width at their heights, at the middle of each body's part."""
-    found = []
+    spread = []
     for weight, y, z in loads:
         if z <= wedge.foot_m + NEAR_M:
             continue
         a, b = wedge.ends(z)
         for x0, x1 in ((a, wedge.middle_m), (wedge.middle_m, b)):
-            found.append((weight * (x1 - x0) / family.masonry.width_m, 0.5 * (x0 + x1), y, z))
-    return found
+            spread.append((weight * (x1 - x0) / family.masonry.width_m, 0.5 * (x0 + x1), y, z))
+    return spread
 
 
 def _passed(family, wedge):
     """What a wedge passes: (force_n, x_m, z_m, slack_m, reach_m)."""
-    width, found = family.masonry.width_m, []
+    width, pulls = family.masonry.width_m, []
     rows = family.facade.ties
     ties = family.pulls[: len(rows)]
     for pull, row in zip(ties, rows, strict=True):
@@ -265,19 +266,19 @@ def _passed(family, wedge):
         for x in rods_at(row, width):
             if pull.height_m > wedge.foot_m and a + NEAR_M < x < b - NEAR_M:
                 force = pull.force_n / row.count
-                found.append((force, x, pull.height_m, pull.slack_m, pull.reach_m))
+                pulls.append((force, x, pull.height_m, pull.slack_m, pull.reach_m))
     for pull in family.pulls[len(ties) :]:
         if pull.height_m > wedge.foot_m + NEAR_M:
             a, b = wedge.ends(pull.height_m)
             for x0, x1 in ((a, wedge.middle_m), (wedge.middle_m, b)):
                 force = pull.force_n * (x1 - x0) / width
                 row = force, 0.5 * (x0 + x1), pull.height_m, pull.slack_m, pull.reach_m
-                found.append(row)
+                pulls.append(row)
     for force, z in family.thrusting(wedge.foot_m):  # by width too, outward
         a, b = wedge.ends(z)
         for x0, x1 in ((a, wedge.middle_m), (wedge.middle_m, b)):
-            found.append((-force * (x1 - x0) / width, 0.5 * (x0 + x1), z, 0.0, math.inf))
-    return [row for row in found if row[0]]
+            pulls.append((-force * (x1 - x0) / width, 0.5 * (x0 + x1), z, 0.0, math.inf))
+    return [row for row in pulls if row[0]]
 
 
 def horizontals(family):
@@ -303,9 +304,9 @@ def horizontals(family):
         for i, j in _valleys(values):
             start = float(values[i, j]), feet[i], middles[j]
             starts.append((start, (measure, feet, middles, last, site)))
-    found = []
+    followed = []
     for start, about in sorted(starts, key=lambda row: row[0])[:VALLEYS]:
         measure, feet, middles, last, site = about
         pga_g, foot, middle = _follow(measure, start, feet, middles, last)
-        found.append((pga_g, site(foot, middle)))
-    return [min(found, key=lambda row: row[0])[1]] if found else []
+        followed.append((pga_g, site(foot, middle)))
+    return [min(followed, key=lambda row: row[0])[1]] if followed else []

@@ -27,9 +27,9 @@ LOWEST, HIGHEST = -120, 60  # powers of PERIOD_STEP between which spectra are ke
 
 def damaged(sections):
     """Period factor and damping of the building at ultimate states, for `floor_demand`."""
-    own, stated = sections["assessment"], sections["smdof"]["damping_ratio"]
-    damping = own["building_damping"]
-    return own["building_period_factor"], stated if damping is None else damping
+    assessment, stated = sections["assessment"], sections["smdof"]["damping_ratio"]
+    damping = assessment["building_damping"]
+    return assessment["building_period_factor"], stated if damping is None else damping
 
 
 def readings(mechanism):
@@ -37,10 +37,10 @@ def readings(mechanism):
 
     A link is left out where its end sets d_SLV (`Mechanism.limit`). The last one has none such.
     """
-    found = [mechanism]
-    while (early := found[-1].early(checks.LIMITS["SLV"][0])) is not None:
-        found.append(found[-1].without(early))
-    return found
+    mechanisms = [mechanism]
+    while (early := mechanisms[-1].early(checks.LIMITS["SLV"][0])) is not None:
+        mechanisms.append(mechanisms[-1].without(early))
+    return mechanisms
 
 
 class Counted(NamedTuple):
@@ -61,8 +61,10 @@ class Slv:
 
     def __init__(self, sections, demand):
         """Keep what every mechanism takes."""
-        own, self.demand, self.chain = sections["assessment"], demand, sections["smdof"]
-        self.factor = checks.confidence(own["confidence_factor"], own["hinge_inset_m"])
+        assessment, self.demand, self.chain = sections["assessment"], demand, sections["smdof"]
+        self.factor = checks.confidence(
+            assessment["confidence_factor"], assessment["hinge_inset_m"]
+        )
         self.damaged = damaged(sections)
         self._floors: dict[float, FloorDemand] = {}
         self._spectra: dict[tuple, tuple] = {}
@@ -72,12 +74,12 @@ class Slv:
         place = candidate.place
         if place not in self._floors:
             given = self.demand, place, self.chain
-            own = floor_demand(*given, damaged=self.damaged) if place > 0.0 else self.demand
-            self._floors[place] = own
-        found = {"height": (self._floors[place], SAY("step.where.floor", place=place))}
+            floor = floor_demand(*given, damaged=self.damaged) if place > 0.0 else self.demand
+            self._floors[place] = floor
+        demands = {"height": (self._floors[place], SAY("step.where.floor", place=place))}
         if candidate.on_ground:
-            found = {"ground": (self.demand, SAY("step.where.ground")), **found}
-        return found
+            demands = {"ground": (self.demand, SAY("step.where.ground")), **demands}
+        return demands
 
     def __call__(self, candidate):
         """Return the PGA at which the check fails [g]."""
@@ -85,8 +87,8 @@ class Slv:
 
     def letter(self, candidate):
         """PGA at which the check fails with every link that the mechanism has [g]."""
-        own = candidate.letter or candidate.mechanism
-        return self._pga_g(own, candidate) if own.falls() else math.inf
+        mechanism = candidate.letter or candidate.mechanism
+        return self._pga_g(mechanism, candidate) if mechanism.falls() else math.inf
 
     def reading(self, candidate):
         """`Counted` of a candidate: that of the largest PGA, the fewest links left out."""
@@ -95,7 +97,7 @@ class Slv:
         if not candidate.mechanism.falls():
             return Counted(candidate.mechanism, math.inf, 0)
         every = readings(candidate.mechanism)
-        pga_g = [self._pga_g(one, candidate) for one in every]
+        pga_g = [self._pga_g(mechanism, candidate) for mechanism in every]
         best = int(np.argmax(pga_g))
         return Counted(every[best], float(pga_g[best]), best)
 
@@ -106,12 +108,12 @@ class Slv:
         d = control * mechanism.participation()[2]
         a = checks.capacity_at(mechanism, control, self.factor, candidate.t0_s)
         period = factor * math.pi * math.sqrt(d / a)
-        found = []
+        failing_g = []
         for demand, _ in self.places(candidate).values():
             needed = self._largest(demand, candidate.t0_s, period, damping)
             onset = checks.onset(mechanism, demand, self.factor, candidate.t0_s)[1]
-            found.append(max(demand.pga_g * d / needed, onset))
-        return min(found)
+            failing_g.append(max(demand.pga_g * d / needed, onset))
+        return min(failing_g)
 
     def _largest(self, demand, low_s, high_s, damping):
         """Largest spectral displacement between two periods [m], see `largest_displacement`."""
@@ -123,9 +125,9 @@ class Slv:
             self._spectra[key] = periods, np.array(values)
         periods, values = self._spectra[key]
         low = max(low_s, high_s / SHORTEST)
-        own = values[np.searchsorted(periods, low) : np.searchsorted(periods, high_s)]
+        between = values[np.searchsorted(periods, low) : np.searchsorted(periods, high_s)]
         most = displacement(demand, high_s, damping)
-        return max(most, float(own.max())) if own.size else most
+        return max(most, float(between.max())) if between.size else most
 
 
 def read_as(candidate, reading):

@@ -33,13 +33,13 @@ def _least(measure, low_m, high_m, start, best):
     """Height between two, and its measure, followed down from a sample; no worse than that."""
     if high_m - low_m < NEAR_M:
         return start, best
-    found = minimize_scalar(
+    least = minimize_scalar(
         lambda z: min(measure(z), NEVER),
         bounds=(low_m, high_m),
         method="bounded",
         options={"xatol": NEAR_M, "maxiter": EVALUATIONS},
     )
-    return (float(found.x), float(found.fun)) if found.fun < best else (start, best)
+    return (float(least.x), float(least.fun)) if least.fun < best else (start, best)
 
 
 def _sampled(low_m, high_m, apart_m=APART_M):
@@ -63,17 +63,17 @@ def _dips(samples, low_m, high_m):
     places = [low_m, *(z for _, z in samples), high_m]
     least = min(values)
     for k, sample in enumerate(samples):
-        before, own, after = values[k : k + 3]
-        if own <= min(before, after, DIP * least):
+        before, value, after = values[k : k + 3]
+        if value <= min(before, after, DIP * least):
             yield places[k], sample, places[k + 2]
 
 
 def parts(family):
     """Parts above every foot, and between two feet the weakest where it is weaker than both."""
-    found, listed_m, top = feet(family), family.feet(), family.masonry.top_m
+    sites, listed_m, top = feet(family), family.feet(), family.masonry.top_m
     if family.slv is None:  # α0 has no minimum between two feet
-        return found
-    listed = {site.foot_m: family.measure(site) for site in found}
+        return sites
+    listed = {site.foot_m: family.measure(site) for site in sites}
     ends = [*listed_m, top - LEAST_PART_M]
     for low, high in itertools.pairwise(ends):
         part = f"{BETWEEN}_{low}_and_{float(round(high, 6))}"
@@ -92,8 +92,8 @@ def parts(family):
             for below, (value, z), above in _dips(samples, low, high)
         )
         if best < WORTH * min(listed[low], listed.get(high, math.inf)):
-            found.append(Site(part, at, at_foot=BETWEEN))
-    return sorted(found, key=lambda site: site.foot_m)
+            sites.append(Site(part, at, at_foot=BETWEEN))
+    return sorted(sites, key=lambda site: site.foot_m)
 
 
 def feet(family):
@@ -105,8 +105,8 @@ def feet(family):
 def spans(family):
     """Vertical bending between every two levels that hold, of each the weakest that falls."""
     pairs = itertools.combinations(family.levels(), 2)
-    found = [bending(family, low, high) for low, high in pairs]
-    return [site for site in found if site is not None]
+    sites = [bending(family, low, high) for low, high in pairs]
+    return [site for site in sites if site is not None]
 
 
 def bending(family, low_m, high_m):
@@ -115,12 +115,12 @@ def bending(family, low_m, high_m):
     Its foot lies between the lower level and the next one.
     """
     next_m = min(z for z in family.levels() if z > low_m)
-    own = [low_m, *(z for z in family.feet() if low_m < z < next_m)]
+    feet_m = [low_m, *(z for z in family.feet() if low_m < z < next_m)]
     if family.slv is None:
-        return span(family, own, low_m, high_m)
-    for a, b in itertools.pairwise([*own, next_m]):
-        own = [*own, *_sampled(a, b, FEET_APART_M)]
-    return span(family, own, low_m, high_m, next_m)
+        return span(family, feet_m, low_m, high_m)
+    for a, b in itertools.pairwise([*feet_m, next_m]):
+        feet_m = [*feet_m, *_sampled(a, b, FEET_APART_M)]
+    return span(family, feet_m, low_m, high_m, next_m)
 
 
 def span(family, feet, low_m, high_m, next_m=None):
@@ -145,10 +145,10 @@ def span(family, feet, low_m, high_m, next_m=None):
     firsts: dict[float, tuple] = {}  # of every foot its weakest hinge
     for value, foot, hinge in sorted(samples):
         firsts.setdefault(foot, (value, foot, hinge))
-    starts = [one for one in list(firsts.values())[:STARTS] if math.isfinite(one[0])]
+    starts = [start for start in list(firsts.values())[:STARTS] if math.isfinite(start[0])]
     if not starts:
         return None
-    best = min(_followed(family, measure, (low_m, high_m, next_m), feet, one) for one in starts)
+    best = min(_followed(family, measure, (low_m, high_m, next_m), feet, start) for start in starts)
     return Site(part, best[1], best[2], high_m)
 
 
@@ -182,10 +182,10 @@ def _hinges(family, foot_m, high_m):
     if high <= low:
         return []
     angles = np.linspace(0.0, math.pi, HINGES)
-    found = {float(z) for z in low + 0.5 * (1.0 - np.cos(angles)) * (high - low)}
+    hinges = {float(z) for z in low + 0.5 * (1.0 - np.cos(angles)) * (high - low)}
     for z, _ in family.changes():
-        found |= {near for near in (z, z - BESIDE_M, z + BESIDE_M) if low < near < high}
-    return sorted(found)
+        hinges |= {near for near in (z, z - BESIDE_M, z + BESIDE_M) if low < near < high}
+    return sorted(hinges)
 
 
 def corners(family):
@@ -203,7 +203,7 @@ def corners(family):
     thrust = bool(family.settings["hip_thrust_kn"])
     if thrust:
         samples = [z for z in family.levels() if z < last]
-    found = []
+    sites = []
     for side, word in CORNERS.items():
 
         def measure(z, side=side):
@@ -220,5 +220,5 @@ def corners(family):
             ends = samples[max(k - 1, 0)], samples[min(k + 1, len(samples) - 1)]
             foot, _ = _least(measure, *ends, foot, values[k])
         if family.corner_masses(side, foot):
-            found.append(Site(f"{word}_corner", foot, side=side))
-    return found
+            sites.append(Site(f"{word}_corner", foot, side=side))
+    return sites
