@@ -88,14 +88,14 @@ def summary(table, resamples, seed):
         *(table[k].to_numpy(float) for k in ("pga_fails_g", "pga_dynamic_g", "pga_max_g"))
     )
     known = (low > 0.0) | np.isfinite(high)
-    found = fit(low[known], high[known]) if known.sum() > 1 else None
+    fitted = fit(low[known], high[known]) if known.sum() > 1 else None
     share, below, above = share_interval(unsafe(low, high), table["station"], resamples, seed)
     return {
         "n": len(table),
         "n_facades": table["run"].nunique(),
         "n_censored": int(np.sum((low == 0.0) | np.isinf(high))),
-        "median_ratio": found.median if found else math.nan,
-        "log_scatter": found.dispersion if found else math.nan,
+        "median_ratio": fitted.median if fitted else math.nan,
+        "log_scatter": fitted.dispersion if fitted else math.nan,
         "unsafe_share": share,
         "ci_low": below,
         "ci_high": above,

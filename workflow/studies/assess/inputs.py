@@ -87,22 +87,22 @@ def hazard_file(resolved, find):
 
 def check_demand(resolved, *files):
     """Refuse an assessment that has no demand, or two."""
-    own = resolved["assessment"]
-    if own["hazard"]:
-        national.check_rows(own["hazard"])
-        national.row_at(own["hazard"], own["return_period_years"])
-        if own["ag_g"] is not None:
+    assessment = resolved["assessment"]
+    if assessment["hazard"]:
+        national.check_rows(assessment["hazard"])
+        national.row_at(assessment["hazard"], assessment["return_period_years"])
+        if assessment["ag_g"] is not None:
             raise ValueError(
                 "assess: assessment.ag_g: stated beside assessment.hazard; expected one of the two"
             )
-    if own["en_spectrum"]:
-        _, tb, tc, td = own["en_spectrum"]
-        if own["ag_g"] is None or own["spectrum"] or not tb < tc < td:
+    if assessment["en_spectrum"]:
+        _, tb, tc, td = assessment["en_spectrum"]
+        if assessment["ag_g"] is None or assessment["spectrum"] or not tb < tc < td:
             raise ValueError(
-                f"assess: assessment.en_spectrum = {own['en_spectrum']}: expected S, T_B < T_C < "
-                "T_D (s), with assessment.ag_g and without assessment.spectrum"
+                f"assess: assessment.en_spectrum = {assessment['en_spectrum']}: expected S, T_B < "
+                "T_C < T_D (s), with assessment.ag_g and without assessment.spectrum"
             )
-    if not any(files) and own["ag_g"] is None and not own["hazard"]:
+    if not any(files) and assessment["ag_g"] is None and not assessment["hazard"]:
         raise ValueError(
             "assess: no demand; expected assessment.hazard (rows of NTC 2018), assessment.ag_g, "
             "assessment.spectrum (columns period_s,sa_g) or risk.hazard (columns pga_g,annual_rate)"
@@ -121,11 +121,11 @@ def check_mechanisms(resolved):
             f"assess: facade.wedge_deg = {resolved['facade']['wedge_deg']:g}: expected 0 (°); the "
             "checks find the weakest wedge, or take that of assessment.crack_deg"
         )
-    for key, own in (("sides", "one"), ("outline", "box")):
-        if resolved["facade"][key] != own:
+    for key, expected in (("sides", "one"), ("outline", "box")):
+        if resolved["facade"][key] != expected:
             raise ValueError(
-                f"assess: facade.{key} = {resolved['facade'][key]}: expected {own}; state the wall "
-                "below, with facade.gable_height_m or facade.parapet_height_m"
+                f"assess: facade.{key} = {resolved['facade'][key]}: expected {expected}; state the "
+                "wall below, with facade.gable_height_m or facade.parapet_height_m"
             )
     if any(resolved["part"].values()):
         raise ValueError(
@@ -144,21 +144,21 @@ def check_mechanisms(resolved):
 def without_words(text):
     """`Settings` with section assessment, without its keys in `WORDS`."""
     parts = json.loads(text)
-    own = {key: value for key, value in parts["assessment"].items() if key not in WORDS}
-    kept = parts | {"assessment": own}
+    assessment = {key: value for key, value in parts["assessment"].items() if key not in WORDS}
+    kept = parts | {"assessment": assessment}
     return Settings(json.dumps(kept, sort_keys=True, separators=(",", ":"), ensure_ascii=False))
 
 
 def every_value(settings):
     """Values by dotted key, rows of lists by their number: `facade.floors.1.load_kn`."""
-    found: dict = {}
+    values: dict = {}
     for key, value in flat(settings).items():
         if isinstance(value, list) and value and all(isinstance(row, Mapping) for row in value):
             for number, row in enumerate(value, 1):
-                found |= flat(row, f"{key}.{number}.")
+                values |= flat(row, f"{key}.{number}.")
         else:
-            found[key] = value
-    return found
+            values[key] = value
+    return values
 
 
 def _checked(key, read, *arguments):

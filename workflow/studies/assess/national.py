@@ -28,12 +28,12 @@ def check_rows(rows):
         )
     for number, row in enumerate(rows, 1):
         _refuse_implausible(number, row)
-    for number, (one, two) in enumerate(zip(rows, rows[1:], strict=False), 2):
+    for number, (before, after) in enumerate(zip(rows, rows[1:], strict=False), 2):
         for key in (PERIOD, "ag_g"):
-            if two[key] <= one[key]:
+            if after[key] <= before[key]:
                 raise ValueError(
-                    f"assessment.hazard: row {number}: {key} = {two[key]:g} after {one[key]:g}; "
-                    "expected return periods and a_g that rise"
+                    f"assessment.hazard: row {number}: {key} = {after[key]:g} after "
+                    f"{before[key]:g}; expected return periods and a_g that rise"
                 )
 
 
@@ -74,22 +74,22 @@ def spectrum_of(row, soil, topography):
     return CodeDemand(row["ag_g"], row["f0"], row["tc_star_s"], soil, topography)
 
 
-def stated_row(own):
+def stated_row(assessment):
     """Row that section assessment states: of its hazard at the return period, or ag_g; or None."""
-    if own["hazard"]:
-        return row_at(own["hazard"], own["return_period_years"])
-    return None if own["ag_g"] is None else own
+    if assessment["hazard"]:
+        return row_at(assessment["hazard"], assessment["return_period_years"])
+    return None if assessment["ag_g"] is None else assessment
 
 
-def return_period_of(own, pga_g):
+def return_period_of(assessment, pga_g):
     """Return period at which section assessment's hazard has a PGA on the ground: (key, years).
 
     The key is `at` those years, `below` those of the first row or `above` those of the last.
     Between rows of the hazard by the curve's power law; None where there are no rows.
     """
-    if not own["hazard"]:
+    if not assessment["hazard"]:
         return None
-    curve = curve_of(own["hazard"], own["soil"], own["topography"])
+    curve = curve_of(assessment["hazard"], assessment["soil"], assessment["topography"])
     first, last = (float(f"{1.0 / rate:.6g}") for rate in curve.annual_rate[[0, -1]])
     if pga_g < curve.intensity[0]:
         return "below", first

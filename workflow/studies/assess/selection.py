@@ -56,31 +56,31 @@ def longest_period(settings, demand):
 
     T_SLC within bounds; `settings` are sections facade, return_wall, smdof, assessment.
     """
-    own = settings["assessment"]
-    if own["match_high_s"] is not None:
-        return own["match_high_s"]
-    found = code_checks(mechanism_of(settings), settings, demand)
-    slc = next(v for s, _, v, _ in found["slc_height"].steps if s == "T_SLC")
+    assessment = settings["assessment"]
+    if assessment["match_high_s"] is not None:
+        return assessment["match_high_s"]
+    by_check = code_checks(mechanism_of(settings), settings, demand)
+    slc = next(v for s, _, v, _ in by_check["slc_height"].steps if s == "T_SLC")
     return float(np.clip(slc, SHORTEST_HIGH_S, LONGEST_HIGH_S))
 
 
 def spectra_of(records, period_s):
     """5 % spectra of records as recorded [g], a row a record."""
-    found = [
+    spectra = [
         response_spectrum(r.acceleration_m_s2, r.dt_s, period_s, DAMPING_RATIO).psa_m_s2
         for r in records
     ]
-    return np.array(found) / G_M_S2
+    return np.array(spectra) / G_M_S2
 
 
-def for_demand(demand, stations, spectra_g, period_s, own):
+def for_demand(demand, stations, spectra_g, period_s, assessment):
     """`choose` for a demand, by section assessment (motions, motion_factors).
 
     `stations` has the station of every record by its name, in the order of `spectra_g`.
     """
     target_g = np.array([demand.acceleration(t) for t in period_s])
     names, places = list(stations), list(stations.values())
-    count, bounds = own["motions"], own["motion_factors"]
+    count, bounds = assessment["motions"], assessment["motion_factors"]
     return choose(names, places, spectra_g, period_s, target_g, count, bounds)
 
 
@@ -92,8 +92,8 @@ def fit_of(spectra):
     """
     if spectra.empty:
         return None, (0.0, 0.0)
-    found = _deviations(spectra["mean_g"], spectra["target_g"], 1e-3)
-    return found, (spectra["period_s"].min(), spectra["period_s"].max())
+    deviations = _deviations(spectra["mean_g"], spectra["target_g"], 1e-3)
+    return deviations, (spectra["period_s"].min(), spectra["period_s"].max())
 
 
 def _misfit(ratio):
@@ -115,8 +115,8 @@ def choose(names, stations, spectra_g, period_s, target_g, count, bounds):
         raise ValueError(
             f"{len(set(stations))} stations; expected at least as many as motions, {count}"
         )
-    own = np.exp(np.mean(np.log(target_g / spectra_g), axis=1)).clip(*bounds)
-    scaled = own[:, None] * spectra_g / target_g
+    own_factors = np.exp(np.mean(np.log(target_g / spectra_g), axis=1)).clip(*bounds)
+    scaled = own_factors[:, None] * spectra_g / target_g
 
     def value(chosen):
         return _misfit(np.mean(scaled[chosen], axis=0))
@@ -136,12 +136,12 @@ def choose(names, stations, spectra_g, period_s, target_g, count, bounds):
                 for i in range(len(names))
                 if i not in chosen and stations[i] not in taken
             ]
-        found, exchanged = min(trials, default=(best, chosen))
-        if found >= best - 1e-12:
+        least, exchanged = min(trials, default=(best, chosen))
+        if least >= best - 1e-12:
             break
-        best, chosen = found, exchanged
+        best, chosen = least, exchanged
     chosen = sorted(chosen)
-    factors = _common(scaled[chosen], own[chosen], bounds)
+    factors = _common(scaled[chosen], own_factors[chosen], bounds)
     mean = np.mean(factors[:, None] * spectra_g[chosen], axis=0)
     return Selection([names[i] for i in chosen], factors, period_s, np.asarray(target_g), mean)
 

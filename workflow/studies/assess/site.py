@@ -20,19 +20,19 @@ class SpectrumError(ValueError):
     """A spectrum that cannot be used; its text is one line."""
 
 
-def demand_said(own, sites, say):
+def demand_said(assessment, sites, say):
     """Where the demand is from, in words: of section assessment and the site's files."""
-    years = {"years": own["return_period_years"]}
-    if own["spectrum"]:
-        return say("page.demand.file", file=own["spectrum"])
-    if own["en_spectrum"]:
+    years = {"years": assessment["return_period_years"]}
+    if assessment["spectrum"]:
+        return say("page.demand.file", file=assessment["spectrum"])
+    if assessment["en_spectrum"]:
         keys = ("soil_factor", "tb_s", "tc_s", "td_s")
-        about = dict(zip(keys, own["en_spectrum"], strict=True))
-        return say("page.demand.eurocode", ag_g=own["ag_g"], **about)
-    if (row := national.stated_row(own)) is not None:
+        about = dict(zip(keys, assessment["en_spectrum"], strict=True))
+        return say("page.demand.eurocode", ag_g=assessment["ag_g"], **about)
+    if (row := national.stated_row(assessment)) is not None:
         about = {"ag_g": row["ag_g"], "f0": row["f0"], "tc_s": row["tc_star_s"]}
-        about |= {key: own[key] for key in ("soil", "topography")}
-        if own["hazard"]:
+        about |= {key: assessment[key] for key in ("soil", "topography")}
+        if assessment["hazard"]:
             return say("page.demand.national_years", **about, **years)
         return say("page.demand.national", **about)
     files = ", ".join(Path(str(s)).name for s in sites)
@@ -47,8 +47,8 @@ def read_spectrum(path):
     """
     lines = read_text(path).said()
     if not lines or tuple(w.strip() for w in lines[0][1].split(",")) != COLUMNS:
-        found = lines[0][1][:60] if lines else "nothing"
-        raise SpectrumError(f"{path}: columns '{found}'; expected {','.join(COLUMNS)}")
+        header = lines[0][1][:60] if lines else "nothing"
+        raise SpectrumError(f"{path}: columns '{header}'; expected {','.join(COLUMNS)}")
     if len(lines) > LONGEST:
         raise SpectrumError(f"{path}: more than {LONGEST} rows")
     points: list[tuple[float, float]] = []
@@ -92,11 +92,11 @@ def pga_at(hazard, return_period_years):
 
 def shapes(records):
     """Spectra of 5 % damping over the PGA, a row a record, at `PERIODS_S`."""
-    found = []
+    rows = []
     for record in records:
         demand = RecordDemand(record.acceleration_m_s2, record.dt_s)
-        found.append([demand.acceleration(t) / demand.pga_g for t in PERIODS_S])
-    return np.array(found)
+        rows.append([demand.acceleration(t) / demand.pga_g for t in PERIODS_S])
+    return np.array(rows)
 
 
 def at_pga(shape, pga_g):
@@ -112,26 +112,28 @@ def demand_from(settings, records, spectrum, hazard):
     where the shapes of `records` stand for the site's. Files are empty where there is none;
     `settings` are sections smdof and assessment, and risk.site.
     """
-    own = settings["assessment"]
+    assessment = settings["assessment"]
     if spectrum:
         return read_spectrum(str(spectrum))
-    if own["en_spectrum"]:
-        return EurocodeDemand(own["ag_g"], *own["en_spectrum"])
-    if (row := national.stated_row(own)) is not None:
-        return national.spectrum_of(row, own["soil"], own["topography"])
+    if assessment["en_spectrum"]:
+        return EurocodeDemand(assessment["ag_g"], *assessment["en_spectrum"])
+    if (row := national.stated_row(assessment)) is not None:
+        return national.spectrum_of(row, assessment["soil"], assessment["topography"])
     curve = read_hazard(str(hazard), settings["smdof"]["period_s"], settings["risk.site"])
-    return at_pga(shapes(records), pga_at(curve, own["return_period_years"]))
+    return at_pga(shapes(records), pga_at(curve, assessment["return_period_years"]))
 
 
-def hazards_of(own, curve=None, name=""):
+def hazards_of(assessment, curve=None, name=""):
     """Hazard curves of the PGA that a site has, by what they are called; the code's own first.
 
     `curve` is that of risk.hazard, `name` that of its file; of another measure it gives no rate
     here.
     """
-    found = {}
-    if own["hazard"]:
-        found["NTC 2018"] = national.curve_of(own["hazard"], own["soil"], own["topography"])
+    curves = {}
+    if assessment["hazard"]:
+        curves["NTC 2018"] = national.curve_of(
+            assessment["hazard"], assessment["soil"], assessment["topography"]
+        )
     if curve is not None and curve.measure == "pga_g":
-        found[name] = curve
-    return found
+        curves[name] = curve
+    return curves

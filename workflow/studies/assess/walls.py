@@ -39,5 +39,5 @@ def beyond_law(facade, law):
 
 def ranges_of(sensitivity, key):
     """Medians of a sensitivity's ratios by factor of a key: [(factor, median)]."""
-    own = sensitivity[sensitivity["key"] == key].dropna(subset=["ratio"])
-    return [(factor, float(part["ratio"].median())) for factor, part in own.groupby("factor")]
+    rows = sensitivity[sensitivity["key"] == key].dropna(subset=["ratio"])
+    return [(factor, float(part["ratio"].median())) for factor, part in rows.groupby("factor")]
