@@ -43,12 +43,12 @@ def pairs():
     by: dict[str, list] = {}
     for name, row in read_table(TABLE).items():
         by.setdefault(row.station, []).append(name)
-    found = []
+    by_length = []
     for names in by.values():
         if len(names) == 2:
             first = load(names[0], TABLE)
-            found.append((first.acceleration_m_s2.size * first.dt_s, tuple(names)))
-    return [names for _, names in sorted(found)[:STATIONS]]
+            by_length.append((first.acceleration_m_s2.size * first.dt_s, tuple(names)))
+    return [names for _, names in sorted(by_length)[:STATIONS]]
 
 
 def floor_of(acceleration, dt_s, share):
@@ -77,9 +77,9 @@ def by_hand(geometry, demand):
             },
         }
     )
-    one, slv = Family(settings).corner(1, 0.0), Slv(settings, demand)
-    (floor, _) = slv.places(one)["height"]
-    return one, slv(one), checks.onset(one.mechanism, floor, 1.0)[1]
+    candidate, slv = Family(settings).corner(1, 0.0), Slv(settings, demand)
+    (floor, _) = slv.places(candidate)["height"]
+    return candidate, slv(candidate), checks.onset(candidate.mechanism, floor, 1.0)[1]
 
 
 def shaken(geometry, motion, factors):
@@ -103,16 +103,16 @@ def shaken(geometry, motion, factors):
 
 def curve(geometry, names):
     """One corner under one station: what stood, what felled it, by hand, twist."""
-    one, other = (load(name, TABLE) for name in names)
-    count = min(one.acceleration_m_s2.size, other.acceleration_m_s2.size)
-    a, b = (r.acceleration_m_s2[:count] for r in (one, other))
+    record, other = (load(name, TABLE) for name in names)
+    count = min(record.acceleration_m_s2.size, other.acceleration_m_s2.size)
+    a, b = (r.acceleration_m_s2[:count] for r in (record, other))
     energy = np.cumsum(a**2 + b**2)
     first, last = np.searchsorted(energy / energy[-1], [QUIET, 1.0 - QUIET])
     along, across = (math.sqrt(0.5) * (a + s * b)[first : last + 1] for s in (1.0, -1.0))
-    demand = RecordDemand(along, one.dt_s)
+    demand = RecordDemand(along, record.dt_s)
     known, slv_g, onset_g = by_hand(geometry, demand)
-    time_s, out = floor_of(along, one.dt_s, known.place)
-    beside = floor_of(across, one.dt_s, known.place)[1]
+    time_s, out = floor_of(along, record.dt_s, known.place)
+    beside = floor_of(across, record.dt_s, known.place)[1]
     stood, fell, twist, factor = 0.0, math.inf, 0.0, 0.5 * slv_g / demand.pga_g
     tries = 0
     while factor * demand.pga_g < MOST * slv_g and tries < 12:
@@ -137,9 +137,9 @@ def main():
     for k in given.geometries:
         for s in given.stations:
             began = time.perf_counter()
-            found = curve(GEOMETRIES[k], every[s])
+            values = curve(GEOMETRIES[k], every[s])
             seconds = time.perf_counter() - began
-            print(k, *every[s], *(f"{v:.4f}" for v in found), f"{seconds:.0f}", flush=True)
+            print(k, *every[s], *(f"{v:.4f}" for v in values), f"{seconds:.0f}", flush=True)
 
 
 if __name__ == "__main__":

@@ -36,12 +36,12 @@ def suite():
     from rocking.records.table import read_table
 
     rows = read_table(ROOT / TABLE)
-    found, stations = {}, {}
+    motions, stations = {}, {}
     for name, row in rows.items():
         station = row.station
         if station not in stations.values():
-            found[name], stations[name] = Motion.named(name, TABLE), station
-    return found, stations
+            motions[name], stations[name] = Motion.named(name, TABLE), station
+    return motions, stations
 
 
 def mechanisms_of(given, model, motions, stations, most_g=2.0):
@@ -60,38 +60,42 @@ def mechanisms_of(given, model, motions, stations, most_g=2.0):
     from studies.shared.fragility import Fragility, brackets_about, fit
 
     resolved = completed_settings(config.resolve({**given, "damping": {"law": "eq5"}}))
-    own = resolved["assessment"]
-    demand = CodeDemand(own["ag_g"], own["f0"], own["tc_star_s"], own["soil"])
+    assessment = resolved["assessment"]
+    demand = CodeDemand(
+        assessment["ag_g"], assessment["f0"], assessment["tc_star_s"], assessment["soil"]
+    )
     of_case = {k: given[k] for k in ("facade", "return_wall", "smdof")} | {
         "damping": {"law": "eq5"}
     }
-    case = settled(Case.configured(model, of_case), own)
+    case = settled(Case.configured(model, of_case), assessment)
     ranked = governing(family_of(resolved, demand).all(), resolved, demand)
     table = chosen(ranked, [case], demand.pga_g, 1e6)  # all that the models take
-    period_s = selection.periods(own["match_low_s"], selection.longest_period(resolved, demand))
-    spectra = selection.spectra_of([one.record for one in motions.values()], period_s)
-    picked = selection.for_demand(demand, stations, spectra, period_s, own)
+    period_s = selection.periods(
+        assessment["match_low_s"], selection.longest_period(resolved, demand)
+    )
+    spectra = selection.spectra_of([motion.record for motion in motions.values()], period_s)
+    picked = selection.for_demand(demand, stations, spectra, period_s, assessment)
     scaled = [
         (motions[n], f * measures(motions[n].record)["pga_g"])
         for n, f in zip(picked.names, picked.factors, strict=True)
     ]
-    turns = [(one, "pos" if k % 2 else "neg") for k, one in enumerate(motions.values())]
+    turns = [(motion, "pos" if k % 2 else "neg") for k, motion in enumerate(motions.values())]
     limits, rows = limits_by_part(table), {}
     for row, part in cases(case, table):
         histories = checked(part.sections, scaled, ["pos", "neg"], limits[row.part], REALISATIONS)
         said = pd.DataFrame([verdict(histories, limits[row.part], 1)])
-        half, found = np.full(len(turns), np.nan), Fragility(np.nan, np.nan)
+        half, fragility = np.full(len(turns), np.nan), Fragility(np.nan, np.nan)
         if most_g > 0.0:
             ends = [{"max_pga_g": most_g}] * len(turns)
             climbs = crossings_of(part, turns, ends, brief=True)
-            half = np.array([one["pga_median_g"] for one in climbs], float)
-            found = fit(*brackets_about(half, np.full(len(half), most_g), EXACT))
-        share = float(found.probability(demand.pga_g)) if np.isfinite(found.median) else 0.0
+            half = np.array([climb["pga_median_g"] for climb in climbs], float)
+            fragility = fit(*brackets_about(half, np.full(len(half), most_g), EXACT))
+        share = float(fragility.probability(demand.pga_g)) if np.isfinite(fragility.median) else 0.0
         rows[row.part] = {
             "held": int(surely(said)[0]),
             "fell": int((half <= demand.pga_g).sum()),
-            "median_g": found.median,
-            "dispersion": found.dispersion,
+            "median_g": fragility.median,
+            "dispersion": fragility.dispersion,
             "probability": share,
         }
     about = table[["part", "mechanism", "pga_fails_g", "shaken", "why_not"]]
@@ -142,13 +146,13 @@ def main():
             continue
         try:
             most_g = 0.0 if given.checks else 2.0
-            found = mechanisms_of(drawn, given.model, motions, stations, most_g)
+            table = mechanisms_of(drawn, given.model, motions, stations, most_g)
         except ValueError as error:
             print(f"{k}: {error}", flush=True)
             continue
-        found.insert(0, "facade", k)
-        found.to_csv(path, mode="a", header=not path.exists(), index=False)
-        print(k, len(found), int((found["held"] == 0).sum()), flush=True)
+        table.insert(0, "facade", k)
+        table.to_csv(path, mode="a", header=not path.exists(), index=False)
+        print(k, len(table), int((table["held"] == 0).sum()), flush=True)
     print("\n".join(summary(pd.read_csv(path))))
 
 

@@ -40,9 +40,9 @@ def whole(family, foot_m, ends):
 
 def dense(family):
     """Least PGA by kind [g]."""
-    found, last = {}, family.height_m - LEAST_PART_M
+    least_g, last = {}, family.height_m - LEAST_PART_M
     if (steps := repertory.steepest_deg(family)) is not None:
-        found[COMPOUND] = min(
+        least_g[COMPOUND] = min(
             family.slv(repertory.compound(family, z, float(deg)))
             for z in feet(last)
             for deg in np.arange(0.0, steps, CRACK_DEG)
@@ -50,32 +50,32 @@ def dense(family):
     for left, right, top in repertory.supports(family):
         near = min(family.facade.thickness_m, 0.5 * (right - left))
         middles = np.arange(left + near, right - near + 1e-9, SHARE * (right - left)).tolist()
-        own = [
+        bending_g = [
             family.slv(repertory.horizontal(family, z, top, (left, x, right)))
             for z in feet(top - LEAST_PART_M, BENDING_M)
             for x in middles
         ]
-        found[HORIZONTAL] = min([found.get(HORIZONTAL, math.inf), *own])
+        least_g[HORIZONTAL] = min([least_g.get(HORIZONTAL, math.inf), *bending_g])
     places, half = partial_width.lines(family), round(0.5 * family.masonry.width_m, 6)
     for ends in itertools.combinations(places, 2):
         if ends == (-half, half) or ends[1] - ends[0] < family.facade.thickness_m:
             continue
         for z in sorted({*family.feet(), *feet(last)}):
             if z < last and whole(family, z, ends):
-                own = family.slv(partial_width.part_width(family, z, ends))
-                found[PART_WIDTH] = min(found.get(PART_WIDTH, math.inf), own)
-    return found
+                pga_g = family.slv(partial_width.part_width(family, z, ends))
+                least_g[PART_WIDTH] = min(least_g.get(PART_WIDTH, math.inf), pga_g)
+    return least_g
 
 
 def listed(family):
     """Least PGA by kind of the list [g]; a wedge with a vertical crack is an overturning part."""
-    found = {}
+    least_g = {}
     for site in family.sites():
-        one = family.at(site)
-        kind = kind_of(one)
-        found[kind] = min(found.get(kind, math.inf), family.slv(one))
-    found[COMPOUND] = min(found.get(COMPOUND, math.inf), found["overturning"])
-    return found
+        candidate = family.at(site)
+        kind = kind_of(candidate)
+        least_g[kind] = min(least_g.get(kind, math.inf), family.slv(candidate))
+    least_g[COMPOUND] = min(least_g.get(COMPOUND, math.inf), least_g["overturning"])
+    return least_g
 
 
 def main():
@@ -87,14 +87,16 @@ def main():
     weaker = {}
     rows = several(given.first + given.count, given.seed)
     for k, drawn in list(enumerate(rows))[given.first :]:
-        own = drawn["assessment"] | {"mechanisms": [COMPOUND, HORIZONTAL, PART_WIDTH]}
+        assessment = drawn["assessment"] | {"mechanisms": [COMPOUND, HORIZONTAL, PART_WIDTH]}
         if k % 2:
-            own |= {"interlocking_course_m": 0.25, "interlocking_overlap_m": 0.12}
-        resolved = config.resolve({**drawn, "assessment": own})
-        demand = CodeDemand(own["ag_g"], own["f0"], own["tc_star_s"], own["soil"])
+            assessment |= {"interlocking_course_m": 0.25, "interlocking_overlap_m": 0.12}
+        resolved = config.resolve({**drawn, "assessment": assessment})
+        demand = CodeDemand(
+            assessment["ag_g"], assessment["f0"], assessment["tc_star_s"], assessment["soil"]
+        )
         family = Family(resolved, slv=Slv(resolved, demand))
-        known, found = listed(family), dense(family)
-        ratios = {kind: v / known.get(kind, math.inf) for kind, v in found.items()}
+        listed_g, dense_g = listed(family), dense(family)
+        ratios = {kind: v / listed_g.get(kind, math.inf) for kind, v in dense_g.items()}
         for kind, ratio in ratios.items():
             weaker.setdefault(kind, []).append(ratio)
         print(k, " ".join(f"{kind} {ratio:.4f}" for kind, ratio in ratios.items()), flush=True)

@@ -31,37 +31,36 @@ def bending(family, low, high, next_m, known):
     next_m -= ROUNDED_M  # a foot at the next level is another kind's
 
     def pga_g(foot, hinge):
-        one = family.span(low, float(foot), float(hinge), high)
-        return family.slv(one) if onset_g(family, one) < known else math.inf
+        candidate = family.span(low, float(foot), float(hinge), high)
+        return family.slv(candidate) if onset_g(family, candidate) < known else math.inf
 
-    found = {}
+    coarse_g = {}
     for foot in np.arange(low, next_m, COARSE_M):
         for hinge in np.arange(foot + 0.1, high - 0.1 + 1e-9, COARSE_M):
-            found[foot, hinge] = pga_g(foot, hinge)
-    least = min(found.values(), default=math.inf)
+            coarse_g[foot, hinge] = pga_g(foot, hinge)
+    least = min(coarse_g.values(), default=math.inf)
     if not math.isfinite(least):
         return least
-    near = [pair for pair, value in found.items() if value < NEAR * least]
+    near = [pair for pair, value in coarse_g.items() if value < NEAR * least]
     for foot, hinge in near:
-        for own in np.arange(foot - COARSE_M / 2, foot + COARSE_M / 2, FOOT_M):
+        for fine_foot in np.arange(foot - COARSE_M / 2, foot + COARSE_M / 2, FOOT_M):
             for at in (hinge - HINGE_M, hinge, hinge + HINGE_M):
-                if low <= own < next_m and own + 0.1 <= at <= high - 0.1:
-                    least = min(least, pga_g(own, at))
+                if low <= fine_foot < next_m and fine_foot + 0.1 <= at <= high - 0.1:
+                    least = min(least, pga_g(fine_foot, at))
     return least
 
 
 def dense(family, listed):
     """Least PGA by kind of dense searches [g]."""
-    found = least_by_kind(
-        family, (one for one in dense_mechanisms(family, FOOT_M, math.inf) if one.held_m is None)
-    )
+    candidates = dense_mechanisms(family, FOOT_M, math.inf)
+    least_g = least_by_kind(family, (each for each in candidates if each.held_m is None))
     levels = family.levels()
     for k, low in enumerate(levels[:-1]):
         for high in levels[k + 1 :]:
             kind = f"bending from {low:g} to {high:g}"
             known = listed.get(kind, math.inf)
-            found[kind] = bending(family, low, high, levels[k + 1], known)
-    return found
+            least_g[kind] = bending(family, low, high, levels[k + 1], known)
+    return least_g
 
 
 def main():
@@ -74,15 +73,17 @@ def main():
     end = given.first + given.count
     for k, drawn in enumerate(several(end, given.seed)[given.first :], given.first):
         resolved = config.resolve(drawn)
-        own = resolved["assessment"]
-        demand = CodeDemand(own["ag_g"], own["f0"], own["tc_star_s"], own["soil"])
+        assessment = resolved["assessment"]
+        demand = CodeDemand(
+            assessment["ag_g"], assessment["f0"], assessment["tc_star_s"], assessment["soil"]
+        )
         slv = Slv(resolved, demand)
         family = Family(resolved, slv=slv)
         listed = least_by_kind(family, map(family.at, family.sites()))
-        found = dense(family, listed)
+        dense_g = dense(family, listed)
         ratios = {
             kind: pga_g / listed.get(kind, math.inf)
-            for kind, pga_g in found.items()
+            for kind, pga_g in dense_g.items()
             if math.isfinite(pga_g)
         }
         kind = min(ratios, key=ratios.get)
