@@ -139,8 +139,8 @@ class Tied:
         """Look for places that are weaker with these forces; whether there were any."""
         known, weaker = self.mechanisms(rows)[1], False
         for site in self.family(rows, self.slv).sites():
-            own, before = self._pga_g([site], rows), known.get(site.part, math.inf)
-            if own < WEAKER * before or own < WEAKER * self.demand.pga_g <= before:
+            pga_g, before = self._pga_g([site], rows), known.get(site.part, math.inf)
+            if pga_g < WEAKER * before or pga_g < WEAKER * self.demand.pga_g <= before:
                 if site.held_m is None:
                     self._between.append(site)
                 else:
@@ -161,10 +161,10 @@ class Tied:
         family, known = self.family(rows), {}
         pga_g: dict[str, float] = {}
         for site in self._places(rows):
-            one = family.at(site)
-            read = self.slv.reading(one)
-            if read.pga_g < pga_g.get(one.part, math.inf):
-                known[one.part], pga_g[one.part] = read_as(one, read), read.pga_g
+            candidate = family.at(site)
+            read = self.slv.reading(candidate)
+            if read.pga_g < pga_g.get(candidate.part, math.inf):
+                known[candidate.part], pga_g[candidate.part] = read_as(candidate, read), read.pga_g
         return known, pga_g
 
     def failing(self, rows):
@@ -322,14 +322,14 @@ def recommended(tied, shaken, say=lambda text: None):
 
 def _alone(shaken, rows, say):
     """Forces that every other model asks for, found roughly; None where no row makes it hold."""
-    found = {}
+    forces_n = {}
     for model in shaken.models[1:]:
         shaken.care, shaken.left = ROUGH, set(shaken.beyond)
-        own, _ = grown(shaken, rows, [model], say, every=False)
+        stronger, _ = grown(shaken, rows, [model], say, every=False)
         lost = shaken.left - shaken.beyond
-        found[model] = None if lost else [row.force_n for row in own]
+        forces_n[model] = None if lost else [row.force_n for row in stronger]
     shaken.care = FINE
-    return found
+    return forces_n
 
 
 def _shaken(shaken, rows, models, say):

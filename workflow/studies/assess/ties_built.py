@@ -20,10 +20,10 @@ def in_steel(tied, row, least_n):
 
     Of all numbers of rods that fit, the least with which each takes less than its anchor holds.
     """
-    own, one_n = tied.rods(), anchors.FULL * tied.anchor(row.height_m).force_n
+    rods, one_n = tied.rods(), anchors.FULL * tied.anchor(row.height_m).force_n
     first = tied.count(row._replace(force_n=least_n, rods=0))
     for count in range(first, tied.most(row.height_m) + 1):
-        rod = row_of_rods({**own, "count": count}, row.height_m, 1e-3 * least_n)
+        rod = row_of_rods({**rods, "count": count}, row.height_m, 1e-3 * least_n)
         size = commercial(rod["diameter_mm"])
         force_n = least_n * (size / rod["diameter_mm"]) ** 2
         if force_n <= count * one_n:
@@ -39,25 +39,25 @@ def built(tied, rows, beyond, shaken, say=lambda text: None):
     next larger. Where a row fits no such rods it is as strong as its anchors let it be.
     """
     margin = tied.sections["assessment"]["tie_margin"]
-    found, whole = [], True
+    recommended, whole = [], True
     for row in rows:
         made = in_steel(tied, row, margin * row.force_n) if row.force_n else row
         if made is None:
             made, whole = in_steel(tied, row, row.force_n) or row, False
-        found.append(made)
+        recommended.append(made)
     while True:
-        which = _pulling(tied, found, beyond, shaken)
-        said = ", ".join(f"{1e-3 * r.force_n:.4g} kN in {tied.count(r)}" for r in found)
+        which = _pulling(tied, recommended, beyond, shaken)
+        said = ", ".join(f"{1e-3 * r.force_n:.4g} kN in {tied.count(r)}" for r in recommended)
         if which is None:
             say(f"as built: {said}: hold")
-            return found, whole
+            return recommended, whole
         larger = None
         if which:
-            larger = in_steel(tied, found[which[0]], 1.02 * found[which[0]].force_n)
+            larger = in_steel(tied, recommended[which[0]], 1.02 * recommended[which[0]].force_n)
         if larger is None:
             say(f"as built: {said}: do not hold")
-            return found, False
-        found[which[0]] = larger
+            return recommended, False
+        recommended[which[0]] = larger
 
 
 def held_by(mechanism, rows):
@@ -67,12 +67,12 @@ def held_by(mechanism, rows):
     place, does not pull.
     """
     pulled = [float(p.path(0.0)[1].real) for p in mechanism.pulls if p.force_n > 0.0]
-    own = [
+    indices = [
         k
         for k, row in enumerate(rows)
         if row.force_n and any(abs(row.height_m - z) < SAME_M for z in pulled)
     ]
-    return sorted(own, key=lambda k: -rows[k].height_m)
+    return sorted(indices, key=lambda k: -rows[k].height_m)
 
 
 def _pulling(tied, rows, beyond, shaken):

@@ -42,7 +42,7 @@ def grown(shaken, rows, models, say=lambda text: None, every=True):
             start = None
             while (failing := shaken.failing(rows, model, start)) is not None:
                 start = failing.part
-                which, found = cheapest(shaken, rows, failing)
+                which, stronger = cheapest(shaken, rows, failing)
                 if not which:
                     say(f"{model}, {failing.mechanism}: no row makes it hold")
                     shaken.left.add(failing.part)
@@ -50,7 +50,7 @@ def grown(shaken, rows, models, say=lambda text: None, every=True):
                         return rows, governs
                     continue
                 governs.append(Growth(which, failing))
-                rows = found
+                rows = stronger
                 say(f"{model}, {failing.mechanism}: holds with {forces_said(rows)} kN")
         if len(governs) == count:  # and so all models hold with the same rows
             return rows, governs
@@ -61,38 +61,38 @@ def cheapest(shaken, rows, failing):
 
     Those that are there; if they do not make it hold, those of levels without a row.
     """
-    which, found = _of_these(shaken, rows, failing, failing.rows)
+    which, stronger = _of_these(shaken, rows, failing, failing.rows)
     if not which and (absent := free_levels(shaken, rows, failing)):
-        which, found = _of_these(shaken, rows, failing, absent)
-        if which and not shaken.tied.passes(found, shaken.beyond):
+        which, stronger = _of_these(shaken, rows, failing, absent)
+        if which and not shaken.tied.passes(stronger, shaken.beyond):
             return (), rows  # the wall bends about the new row
-    return which, found
+    return which, stronger
 
 
-def _of_these(shaken, rows, failing, own):
+def _of_these(shaken, rows, failing, indices):
     """All of some rows or one of them, by the least force in sum, and all rows then.
 
     What adds the least force a step is tried first: the others may then add no more than it did.
     """
-    every = [*((k,) for k in own), *([tuple(own)] if len(own) > 1 else [])]
-    which, found = (), rows
+    every = [*((k,) for k in indices), *([tuple(indices)] if len(indices) > 1 else [])]
+    which, best = (), rows
     for some in sorted(every, key=lambda some: sum_n(rows[k] for k in some)):
-        stronger = raised(shaken, rows, some, failing, sum_n(found) if which else math.inf)
-        which, found = (which, found) if stronger is None else (some, stronger)
-    return which, found
+        stronger = raised(shaken, rows, some, failing, sum_n(best) if which else math.inf)
+        which, best = (which, best) if stronger is None else (some, stronger)
+    return which, best
 
 
 def free_levels(shaken, rows, failing):
     """Indices of levels without a row at which one would pull on a mechanism."""
-    found = []
+    indices = []
     for k, row in enumerate(rows):
         if row.force_n:
             continue
         weak = with_force(rows, k, least_n(shaken))
         known, _ = shaken.tied.mechanisms(weak)
         if failing.part in known and k in behind(known[failing.part], weak):
-            found.append(k)
-    return found
+            indices.append(k)
+    return indices
 
 
 def least_n(shaken):
@@ -119,8 +119,8 @@ def raised(shaken, rows, which, failing, most_n=math.inf):
         ]
 
     def allowed(steps):
-        own = at(steps)
-        return sum_n(own) < most_n and all(own[k].force_n <= strongest_n[k] for k in which)
+        trial = at(steps)
+        return sum_n(trial) < most_n and all(trial[k].force_n <= strongest_n[k] for k in which)
 
     low, high = 0, COARSE if shaken.care == ROUGH else 1
     while True:
@@ -167,9 +167,9 @@ def _least_of(shaken, rows, k, models, likely=None):
 
     def fails(force_n):
         nonlocal reason
-        found = first_failing(shaken, with_force(rows, k, force_n), models, reason)
-        reason = found or reason
-        return found is not None
+        failing = first_failing(shaken, with_force(rows, k, force_n), models, reason)
+        reason = failing or reason
+        return failing is not None
 
     force_n = rows[k].force_n
     if not fails(0.0):

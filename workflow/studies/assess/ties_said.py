@@ -88,8 +88,8 @@ def not_shaken(after, say):
     left = after[after["why_not"].fillna("") != ""].drop_duplicates("part")
     each = []
     for why, part in left.groupby("why_not", sort=False):
-        own = say.all_of(name for name, _ in together(part, say))
-        each.append(say("ties.left", names=own, why=say(f"ties.why.{why}")))
+        listed = say.all_of(name for name, _ in together(part, say))
+        each.append(say("ties.left", names=listed, why=say(f"ties.why.{why}")))
     return say("ties.by_hand_alone", each="; ".join(each)) if each else ""
 
 
@@ -97,10 +97,10 @@ def beside(after, model, say):
     """Sentence on what these rows do with the other models."""
     each = []
     for name in [m for m in after["model"].dropna().unique() if m not in ("", model)]:
-        own = after[after["model"] == name]
-        lost = int((own["holds"].astype(float) == 0.0).sum())
+        rows = after[after["model"] == name]
+        lost = int((rows["holds"].astype(float) == 0.0).sum())
         if lost:
-            each.append(say("ties.beside_lost", model=name, lost=lost, of=len(own)))
+            each.append(say("ties.beside_lost", model=name, lost=lost, of=len(rows)))
         else:
             each.append(say("ties.beside_all", model=name))
     return say("ties.beside", each=say.all_of(each)) if each else ""
@@ -137,17 +137,17 @@ def section(data):
     """Lines and tables of the rows of ties with which the façade passes."""
     say, rows, after = data.say, data.tables["ties"], data.tables["ties_mechanisms"]
     beyond = after[after["beyond"] == 1].drop_duplicates("part")
-    lines, tables, own = [answer(data)], [], data.config["assessment"]
+    lines, tables, assessment = [answer(data)], [], data.config["assessment"]
     if len(rows):
         tables = [_rows(data), _after(data)]
         lines.append(
             say(
-                f"ties.how.{'stated' if own['tie_length_m'] else 'width'}",
+                f"ties.how.{'stated' if assessment['tie_length_m'] else 'width'}",
                 folder=data.folder,
                 length_m=rows["length_m"].iloc[0],
-                plate_m=own["anchor_plate_m"],
-                shear_mpa=own["masonry_shear_mpa"],
-                compression_mpa=own["masonry_compression_mpa"],
+                plate_m=assessment["anchor_plate_m"],
+                shear_mpa=assessment["masonry_shear_mpa"],
+                compression_mpa=assessment["masonry_compression_mpa"],
             )
         )
     if len(beyond):
@@ -191,8 +191,10 @@ def _after(data):
     models = [m for m in after["model"].dropna().unique() if m]
     for _, part in after.groupby("part", sort=False):
         first = next(part.itertuples())
-        own = part.set_index("model")
-        cells = [_of_model(own.loc[m], say) if m in own.index else NOTHING for m in models]
+        by_model = part.set_index("model")
+        cells = [
+            _of_model(by_model.loc[m], say) if m in by_model.index else NOTHING for m in models
+        ]
         name = named(first, say, isinstance(first.why_not, str) and first.why_not)
         by_hand = {"pga_g": first.pga_fails_g, "share": first.ratio}
         told.append((name, say("table.pga_share", **by_hand), *cells))

@@ -51,7 +51,7 @@ class Shaken:
         self.many, self.at_once = many, at_once
         self.cases, self.tied = cases, tied
         self.models = [case.model for case in cases]
-        self.order = [(one, way) for one in motions for way in directions]  # decisive ones first
+        self.order = [(motion, way) for motion in motions for way in directions]  # decisive first
         self.rows: list[dict] = []  # TRIED, in their order
         self.left: set[str] = set()  # parts that fail and that no added row makes hold
         self.beyond: set[str] = set()  # of these, parts that fail by hand too
@@ -71,12 +71,12 @@ class Shaken:
         turn = [*parts[first:], *parts[:first]]
         turn = [(row, part) for row, part in turn if row.part not in self.left]
         for k, (row, part) in enumerate(turn):
-            one = known[row.part]
+            candidate = known[row.part]
             if k % self.at_once == 0:
                 some = turn[k : k + self.at_once]
                 self._ahead([(part, known[row.part]) for row, part in some])
-            if not self._run(rows, part, row.part, one)["holds"]:
-                return Failing(model, row.part, row.mechanism, behind(one, rows))
+            if not self._run(rows, part, row.part, candidate)["holds"]:
+                return Failing(model, row.part, row.mechanism, behind(candidate, rows))
         return None
 
     def everything(self, rows):
@@ -100,18 +100,18 @@ class Shaken:
         if failing.part not in known:
             return True
         case = next(case for case in tried if case.model == failing.model)
-        one = known[failing.part]
-        part = case if one.whole else part_of(case, one)
-        return self._run(rows, part, failing.part, one)["holds"]
+        candidate = known[failing.part]
+        part = case if candidate.whole else part_of(case, candidate)
+        return self._run(rows, part, failing.part, candidate)["holds"]
 
     def _parts(self, rows, model):
         """Mechanisms by label, and what is shaken of them under one model: row and case."""
         known, tried, pga_g = self._tied(rows)
-        ranked = [(pga_g[name], one, None) for name, one in known.items()]
+        ranked = [(pga_g[name], candidate, None) for name, candidate in known.items()]
         ranked.sort(key=lambda row: row[0])
         within = self.tied.sections["assessment"]["shaken_within"]
         table = chosen(ranked, tried, self.tied.demand.pga_g, within)
-        (case,) = (one for one in tried if one.model == model)
+        (case,) = (case for case in tried if case.model == model)
         return known, list(cases(case, table))
 
     def _tied(self, rows):
@@ -122,18 +122,22 @@ class Shaken:
             self._by_rows[key] = known, [case.varied(variant) for case in self.cases], pga_g
         return self._by_rows[key]
 
-    def _run(self, rows, part, label, one):
+    def _run(self, rows, part, label, candidate):
         """Row of TRIED of one part."""
         about = {"forces_kn": forces_said(rows), "model": part.model, "part": label}
-        about |= {"mechanism": one.name, **self._of(part, one), "fine": int(self.care == FINE)}
+        about |= {
+            "mechanism": candidate.name,
+            **self._of(part, candidate),
+            "fine": int(self.care == FINE),
+        }
         if about not in self.rows:
             self.rows.append(about)
         return about
 
-    def _of(self, part, one):
+    def _of(self, part, candidate):
         """What the check says of one part; what decided last is run first: it mostly does again."""
         if (key := self._key(part)) not in self._known:
-            self._keep(key, *self._decided(part, one, self.many, self.at_once))
+            self._keep(key, *self._decided(part, candidate, self.many, self.at_once))
         return self._known[key]
 
     def _keep(self, key, about, turn):
@@ -149,16 +153,16 @@ class Shaken:
         of these the first is kept alone.
         """
         missing, stands = [], True
-        for part, one in parts:
+        for part, candidate in parts:
             known = self._known.get(self._key(part))
             if known is None:
-                missing.append((part, one))
+                missing.append((part, candidate))
             elif not known["holds"]:
                 break
         if self.at_once == 1 or len(missing) < 2:
             return
-        found = self.many(lambda pair: self._decided(*pair), missing)
-        for (part, _), (about, turn) in zip(missing, list(found), strict=True):
+        checks = self.many(lambda pair: self._decided(*pair), missing)
+        for (part, _), (about, turn) in zip(missing, list(checks), strict=True):
             if about["holds"] or stands:
                 self._keep(self._key(part), about, turn)
             stands = stands and about["holds"]
@@ -166,10 +170,10 @@ class Shaken:
     def _key(self, part):
         return json.dumps(part.sections, sort_keys=True), self.care  # model, façade and all
 
-    def _decided(self, part, one, many=map, at_once=1):
-        own, limits = self.tied.sections, limits_with(one)
-        count = own["assessment"]["dynamic_realisations"]
-        given = part.sections, self.order, limits, count, own["seed"], self.care
+    def _decided(self, part, candidate, many=map, at_once=1):
+        sections, limits = self.tied.sections, limits_with(candidate)
+        count = sections["assessment"]["dynamic_realisations"]
+        given = part.sections, self.order, limits, count, sections["seed"], self.care
         return decided(*given, many, at_once)
 
 
@@ -178,13 +182,13 @@ def forces_said(rows):
     return " ".join(f"{1e-3 * row.force_n:.4g}" for row in rows)
 
 
-def behind(one, rows):
+def behind(candidate, rows):
     """Indices of the rows behind a part that is shaken, the highest first: those its case has.
 
     Also the row at the level that holds a part in bending: by hand that level stays, shaken it
     gives as a row of its strength does.
     """
-    foot_m, held_m, _ = heights(one)
+    foot_m, held_m, _ = heights(candidate)
     top_m = math.inf if held_m is None else held_m + LEVEL_M
-    own = [k for k, r in enumerate(rows) if r.force_n and foot_m + NEAR_M < r.height_m < top_m]
-    return sorted(own, key=lambda k: -rows[k].height_m)
+    indices = [k for k, r in enumerate(rows) if r.force_n and foot_m + NEAR_M < r.height_m < top_m]
+    return sorted(indices, key=lambda k: -rows[k].height_m)

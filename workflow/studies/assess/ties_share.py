@@ -29,8 +29,8 @@ def shares(cases, entries, shaken, pga_g):
     rows = []
     for case in cases:
         with_rows = case.varied(Variant("ties", added={"facade.ties": entries}))
-        for count, one in ((0, case), (len(entries), with_rows)) if entries else ((0, case),):
-            curves = collapse_curves(one, shaken, search="list", settings={"pga_g": [pga_g]})
+        for count, trial in ((0, case), (len(entries), with_rows)) if entries else ((0, case),):
+            curves = collapse_curves(trial, shaken, search="list", settings={"pga_g": [pga_g]})
             status = [curve.status[0] for curve in curves]
             stood, failed = status.count("ok"), status.count("failed")
             valid = len(status) - failed

@@ -29,7 +29,7 @@ def table_of(tied, result, relied=""):
 
     `relied` is the model that they are for; it is empty without the dynamic check.
     """
-    own, rows = tied.sections["assessment"], []
+    assessment, rows = tied.sections["assessment"], []
     every = zip(result.rows, result.by_hand_n, result.why, result.built, strict=True)
     for row, least_n, why, made in every:
         if not row.force_n:
@@ -39,7 +39,7 @@ def table_of(tied, result, relied=""):
             "height_m": row.height_m,
             "force_by_hand_kn": 1e-3 * least_n,
             "force_kn": 1e-3 * row.force_n,
-            "margin": own["tie_margin"],
+            "margin": assessment["tie_margin"],
             "force_built_kn": 1e-3 * made.force_n,
             "count": rod["count"],
             "diameter_mm": rod["diameter_mm"],
@@ -86,21 +86,21 @@ def after(tied, result, shaken):
     known, fails_g = tied.mechanisms(result.built)
     least_g = tied.sections["assessment"]["shaken_within"] * tied.demand.pga_g
     tried = shaken.cases_with(result.built) if shaken is not None else []
-    for name, one in known.items():
-        pga_g, own = fails_g[name], last.get(name, {})
-        why = ("", "") if own else why_not(one, pga_g, least_g, tried)
+    for name, candidate in known.items():
+        pga_g, by_model = fails_g[name], last.get(name, {})
+        why = ("", "") if by_model else why_not(candidate, pga_g, least_g, tried)
         about = (
             name,
-            one.name,
-            *(getattr(one, key) for key in PLACES),
+            candidate.name,
+            *(getattr(candidate, key) for key in PLACES),
             pga_g,
             pga_g / tied.demand.pga_g,
             *why,
             int(name in beyond),
         )
-        found = own or {"": dict.fromkeys(("exceed_d0", "mean_d_m", "d_slv_m"), math.nan)}
-        for model, said in found.items():
+        outcomes = by_model or {"": dict.fromkeys(("exceed_d0", "mean_d_m", "d_slv_m"), math.nan)}
+        for model, said in outcomes.items():
             shake = [said[key] for key in ("exceed_d0", "mean_d_m", "d_slv_m")]
-            held = int(said["holds"]) if own else ""
+            held = int(said["holds"]) if by_model else ""
             rows.append(dict(zip(AFTER, (*about, model, *shake, held), strict=True)))
     return sorted(rows, key=lambda row: row["pga_fails_g"])

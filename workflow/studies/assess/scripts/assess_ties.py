@@ -31,7 +31,7 @@ def main(job):
 def _added(job, many, at_once):
     """Tables and YAML of the job; the histories of a mechanism run `at_once` side by side."""
     settings = completed_settings(json.loads(job.params.settings))
-    own, records = settings["assessment"], {}
+    assessment, records = settings["assessment"], {}
     for name in job.params.records:
         records[name] = load_as(settings, name, job.params.table)
     given = settings, list(records.values()), job.input.spectrum, job.input.hazard
@@ -40,8 +40,8 @@ def _added(job, many, at_once):
     chosen = read_frame(job.input.motions)
     motions = [(Motion(records[row.record]), row.pga_g) for row in chosen.itertuples()]
     shaken, relied, cases = None, "", []
-    if motions or own["tie_share"]:
-        cases = [settled(Case.read(path), own) for path in job.input.cases]
+    if motions or assessment["tie_share"]:
+        cases = [settled(Case.read(path), assessment) for path in job.input.cases]
     if motions:
         relied = relied_on([case.model for case in cases])
         cases.sort(key=lambda case: case.model != relied)
@@ -51,15 +51,17 @@ def _added(job, many, at_once):
         with open(str(job.log), "a", encoding="utf-8") as log:
             log.write(f"{text}\n")
 
-    found = ties.recommended(tied, shaken, say)
-    write_table(ties_tables.table_of(tied, found, relied), job.output.rows, ties_tables.ROWS)
-    write_table(ties_tables.of_models(found), job.output.models, ties_tables.MODELS)
-    write_table(ties_tables.after(tied, found, shaken), job.output.after, ties_tables.AFTER)
+    recommended = ties.recommended(tied, shaken, say)
+    write_table(ties_tables.table_of(tied, recommended, relied), job.output.rows, ties_tables.ROWS)
+    write_table(ties_tables.of_models(recommended), job.output.models, ties_tables.MODELS)
+    write_table(ties_tables.after(tied, recommended, shaken), job.output.after, ties_tables.AFTER)
     write_table(shaken.rows if shaken else [], job.output.tried, ties_shaken.TRIED)
-    entries = tied.entries(found.built)
+    entries = tied.entries(recommended.built)
     share = []
-    if own["tie_share"]:
-        every = [(Motion(one), way) for one in records.values() for way in settings["directions"]]
+    if assessment["tie_share"]:
+        every = [
+            (Motion(record), way) for record in records.values() for way in settings["directions"]
+        ]
         share = ties_share.shares(cases, entries, every, demand.pga_g)
     write_table(share, job.output.share, ties_share.COLUMNS)
     rows = [*settings["facade"]["ties"], *entries]
