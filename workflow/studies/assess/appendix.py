@@ -53,8 +53,8 @@ class Data:
 
     def __post_init__(self):
         """Find the weakest mechanism of the tables among the façade's."""
-        t, own = self.tables, self.config["assessment"]
-        self.say = catalogue(own["language"])
+        t, assessment = self.tables, self.config["assessment"]
+        self.say = catalogue(assessment["language"])
         stated = verdict.as_stated(t["mechanisms"])
         self.names = {row.part: names.name(row, self.say) for row in stated.itertuples()}
         self.config = completed_settings(self.config)
@@ -67,17 +67,17 @@ class Data:
 
     def candidate(self, row):
         """Mechanism of a row of mechanisms.csv, without the links that are left out of it."""
-        one = self.family.at(site_of(row))
+        candidate = self.family.at(site_of(row))
         if not row.links_left_out:
-            return one
-        read = readings(one.mechanism)[int(row.links_left_out)]
-        return one._replace(mechanism=read, letter=one.mechanism)
+            return candidate
+        read = readings(candidate.mechanism)[int(row.links_left_out)]
+        return candidate._replace(mechanism=read, letter=candidate.mechanism)
 
     @property
     def factor(self):
         """FC that the checks use."""
-        own = self.config["assessment"]
-        return confidence(own["confidence_factor"], own["hinge_inset_m"])
+        assessment = self.config["assessment"]
+        return confidence(assessment["confidence_factor"], assessment["hinge_inset_m"])
 
 
 def _parts(rows, total, whole, say):
@@ -130,8 +130,8 @@ def _holds(rows, say):
         )
         for h in rows
     ]
-    own = say("hand.holds.hold"), "F [kN]", "z [m]", say("hand.holds.pulls"), "δF", "F δF"
-    return Table(say("hand.holds.caption"), own, cells, (0.3, 0.14, 0.14, 0.18, 0.12, 0.12))
+    head = say("hand.holds.hold"), "F [kN]", "z [m]", say("hand.holds.pulls"), "δF", "F δF"
+    return Table(say("hand.holds.caption"), head, cells, (0.3, 0.14, 0.14, 0.18, 0.12, 0.12))
 
 
 def by_hand(data, candidate, whole=True):
@@ -145,10 +145,10 @@ def by_hand(data, candidate, whole=True):
         return {"name": name, "tables": [_by_strips(data, candidate)]}
     parts, holds = byhand.parts(data.family, candidate), byhand.pulled(candidate)
     total = byhand.sums(parts, holds)
-    found = byhand.results(candidate, total, data.factor)
+    quantities = byhand.results(candidate, total, data.factor)
     rows = [
         (symbol, say(f"hand.how.{key}"), _with(value, unit, say))
-        for symbol, key, value, unit in found
+        for symbol, key, value, unit in quantities
     ]
     rows += _demand_of(data, candidate)
     tables = [_parts(parts, total, whole, say), *([_holds(holds, say)] if holds else [])]
@@ -201,11 +201,11 @@ def _paired(data, candidate, rows, before=""):
 def _checked(data, candidate):
     """Steps of the non-linear SLV checks of a mechanism by place, each by symbol."""
     steps = data.tables["code_steps"]
-    own = steps[steps["part"] == candidate.part]
+    of_part = steps[steps["part"] == candidate.part]
     for check, place in (("slv_ground", "ground"), ("slv_height", "floor")):
-        found = own[own["check"] == check].set_index("symbol")
-        if len(found):
-            yield place, found
+        by_symbol = of_part[of_part["check"] == check].set_index("symbol")
+        if len(by_symbol):
+            yield place, by_symbol
 
 
 def _fails_g(data, candidate):
@@ -238,12 +238,16 @@ def _demand_of(data, candidate):
 
 def _national(data):
     """Rows of the spectrum of NTC 2018 that is the demand; none where another one is."""
-    own, say = data.config["assessment"], data.say
-    if own["spectrum"] or own["en_spectrum"] or (row := stated_row(own)) is None:
+    assessment, say = data.config["assessment"], data.say
+    if (
+        assessment["spectrum"]
+        or assessment["en_spectrum"]
+        or (row := stated_row(assessment)) is None
+    ):
         return []
-    demand = spectrum_of(row, own["soil"], own["topography"])
+    demand = spectrum_of(row, assessment["soil"], assessment["topography"])
     ss, st, tb, tc, td = demand.factors
-    where = {"soil": own["soil"], "topography": own["topography"]}
+    where = {"soil": assessment["soil"], "topography": assessment["topography"]}
     hazard = {"ag_g": row["ag_g"], "f0": row["f0"], "tc_s": row["tc_star_s"]}
     return [
         ("a_g, F0, T_C*", say("hand.spectrum.hazard", **hazard)),
@@ -256,9 +260,9 @@ def _national(data):
 
 def spectrum(data):
     """Numbers behind the demand's spectra on the ground and on the weakest mechanism's floor."""
-    own, chain, say = data.config["assessment"], data.config["smdof"], data.say
+    assessment, chain, say = data.config["assessment"], data.config["smdof"], data.say
     rows = _national(data) or [(say("hand.spectrum.demand"), data.demand_said)]
-    period_s = chain["period_s"] * own["building_period_factor"]
+    period_s = chain["period_s"] * assessment["building_period_factor"]
     place = data.weakest.place
     share = floor_demand(None, place, chain).share
     about = {"period_s": period_s, "place": place, "share": abs(share)}
@@ -280,15 +284,15 @@ def others(data):
 
 def motions(data):
     """Table of the motions of the dynamic check, and lines on their source and licence."""
-    say, found = data.say, data.tables["selected_motions"].fillna("")
-    if found.empty:
+    say, chosen = data.say, data.tables["selected_motions"].fillna("")
+    if chosen.empty:
         return Table(say("hand.motions.none"), ("",), [], (1.0,)), []
     rows = [
         (
             *(r.record, r.station, r.component, r.event),
             *(say.number(value, ".3f") for value in (r.factor, r.pga_g)),
         )
-        for r in found.itertuples()
+        for r in chosen.itertuples()
     ]
     keys = ("motion", "station", "component", "event", "factor", "pga")
     table = Table(
@@ -299,7 +303,7 @@ def motions(data):
         f"{data.folder}/selected_motions.csv",
     )
     lines = []
-    for source, licence in found[["source", "licence"]].drop_duplicates().itertuples(index=False):
+    for source, licence in chosen[["source", "licence"]].drop_duplicates().itertuples(index=False):
         source = source or say("hand.motions.no_source")
         if licence:
             lines.append(say("hand.motions.licence", source=source, licence=licence))
@@ -312,12 +316,12 @@ def formulas(say):
     """Table of every formula and how it was read."""
     rows = [
         (
-            say(f"formula.document.{one.document}"),
+            say(f"formula.document.{formula.document}"),
             say(f"formula.{key}.number"),
             say(f"formula.{key}.text"),
-            say(f"formula.read.{one.read}"),
+            say(f"formula.read.{formula.read}"),
         )
-        for key, one in FORMULAS.items()
+        for key, formula in FORMULAS.items()
     ]
     head = tuple(say(f"formula.head.{key}") for key in ("document", "number", "text", "read"))
     return Table(say("formula.caption"), head, rows, (0.17, 0.15, 0.52, 0.16))

@@ -79,8 +79,8 @@ class _Formatter(string.Formatter):
             if isinstance(value, Integral):
                 return str(value)
             raise ValueError(f"number {value!r} without a format")
-        found = SPECS[spec](value) if spec in SPECS else format(value, spec)
-        return self.endless if found == ENDLESS else found.translate(self.marks)
+        text = SPECS[spec](value) if spec in SPECS else format(value, spec)
+        return self.endless if text == ENDLESS else text.translate(self.marks)
 
 
 class Catalogue:
@@ -115,11 +115,11 @@ class Catalogue:
 
 def flat(tree, before=""):
     """Texts by dotted key."""
-    found: dict[str, str] = {}
+    texts: dict[str, str] = {}
     for key, value in tree.items():
         name = f"{before}{key}"
-        found |= flat(value, f"{name}.") if isinstance(value, dict) else {name: value}
-    return found
+        texts |= flat(value, f"{name}.") if isinstance(value, dict) else {name: value}
+    return texts
 
 
 @cache

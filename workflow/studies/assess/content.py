@@ -27,17 +27,17 @@ def heads(say, table, *keys):
 
 def with_unit(value, unit, say):
     """Three figures with their unit, where there is one."""
-    found = say.number(value, "g3")
-    return found if unit == "-" else f"{found} {unit}"
+    figures = say.number(value, "g3")
+    return figures if unit == "-" else f"{figures} {unit}"
 
 
 def by_mechanism(data):
     """Mechanism by mechanism: by hand, by the code's dynamic check, half collapse by model."""
     say, tables = data.say, data.tables
-    shaken, own = tables["shaken"], tables["parts_dynamic"]
+    shaken, parts = tables["shaken"], tables["parts_dynamic"]
     verdicts, models = tables["verdicts"], list(tables["dynamic"]["model"])
     stated = verdict.as_stated(tables["mechanisms"]).set_index("part")
-    half = {(r.part, r.model): _half(r, say) for r in own.itertuples()}
+    half = {(r.part, r.model): _half(r, say) for r in parts.itertuples()}
     held = {}
     if len(verdicts):
         keys = verdicts.assign(key=verdict.held_or_not(verdicts))
@@ -78,7 +78,7 @@ def checks(data):
     """Checks of the mechanism that fails first and of the whole façade, a table each."""
     say, tables = data.say, []
     for part, rows in data.tables["code_checks"].groupby("part", sort=False):
-        own = rows.set_index("check")
+        by_check = rows.set_index("check")
         cells = [
             (
                 say(f"table.check.{key}"),
@@ -88,9 +88,9 @@ def checks(data):
                 say.number(r["pga_fails_g"], "g3"),
                 say.number(r["ratio"], "g3"),
             )
-            for key, r in own.loc[[key for key in SHOWN if key in own.index]].iterrows()
+            for key, r in by_check.loc[[key for key in SHOWN if key in by_check.index]].iterrows()
         ]
-        caption = f"table.checks.caption{'_ground' if 'slv_ground' in own.index else ''}"
+        caption = f"table.checks.caption{'_ground' if 'slv_ground' in by_check.index else ''}"
         tables.append(
             Table(
                 say(caption, name=data.names[part]),
@@ -187,9 +187,9 @@ def _motions(data):
 def _in_yade(data):
     """Histories of the dynamic check that YADE ran again."""
     say, rows = data.say, []
-    one = ["model", "part", "record", "direction", "pga_g", "d_m", "d_yade_m", "status_yade"]
-    for own, part in data.tables["yade"].groupby(one, sort=False, dropna=False):
-        model, piece, record, direction, _, d_m, d_yade_m, status = own
+    columns = ["model", "part", "record", "direction", "pga_g", "d_m", "d_yade_m", "status_yade"]
+    for values, part in data.tables["yade"].groupby(columns, sort=False, dropna=False):
+        model, piece, record, direction, _, d_m, d_yade_m, status = values
         about = {"model": model, "record": record, "direction": say(f"table.direction.{direction}")}
         if piece == WHOLE_PART:
             history = say("table.yade.whole", **about)
@@ -272,22 +272,22 @@ def varied(key, say):
 
 def sensitivity(data):
     """Pictures and table of what changes the answers."""
-    found = data.tables["dynamic_sensitivity"].dropna(subset=["ratio"])
+    ratios = data.tables["dynamic_sensitivity"].dropna(subset=["ratio"])
     return {
         "pictures": _of_the_check(data),
-        "tables": [_of_the_collapse(data, found)] if len(found) else [],
+        "tables": [_of_the_collapse(data, ratios)] if len(ratios) else [],
     }
 
 
 def _of_the_check(data):
     """Pictures of what changes the non-linear check, on the ground and on the floor."""
-    say, code, own = data.say, data.tables["code_sensitivity"], data.tables["code_checks"]
-    own = own[own["part"] == data.weakest.part].set_index("check")["ratio"]
+    say, code, by_check = data.say, data.tables["code_sensitivity"], data.tables["code_checks"]
+    by_check = by_check[by_check["part"] == data.weakest.part].set_index("check")["ratio"]
     drawn, before = [], None
     for check, place in (("slv_ground", "ground"), ("slv_height", "floor")):
         part = code[code["check"] == check].rename(columns={"ratio": "value"})
         values = part[["key", "factor", "value"]].to_numpy().tolist()
-        if part.empty or check not in own or values == before:
+        if part.empty or check not in by_check or values == before:
             continue
         before = values
         part = part.assign(key=[varied(key, say) for key in part["key"]])
@@ -297,7 +297,7 @@ def _of_the_check(data):
         ]
         drawn.append(
             Picture(
-                partial(pictures.tornado, say, part, own[check]),
+                partial(pictures.tornado, say, part, by_check[check]),
                 42.0,
                 say(f"table.sensitivity.{place}"),
                 "; ".join(told),
@@ -307,10 +307,10 @@ def _of_the_check(data):
     return drawn
 
 
-def _of_the_collapse(data, found):
+def _of_the_collapse(data, ratios):
     """Table of what changes the PGA of half collapse."""
     say, rows = data.say, []
-    spread = found.groupby(["key", "factor"], sort=False)["ratio"].agg(
+    spread = ratios.groupby(["key", "factor"], sort=False)["ratio"].agg(
         ["median", "min", "max", "size"]
     )
     for key, part in spread.groupby(level="key", sort=False):
@@ -328,9 +328,9 @@ def _of_the_collapse(data, found):
                 str(part["size"].min()),
             )
         )
-    falls = "_falls" if (found["ratio"] == 0.0).any() else ""
+    falls = "_falls" if (ratios["ratio"] == 0.0).any() else ""
     return Table(
-        say(f"table.sensitivity.caption{falls}", model=found["model"].iloc[0]),
+        say(f"table.sensitivity.caption{falls}", model=ratios["model"].iloc[0]),
         heads(say, "sensitivity", "parameter", "factors", "medians", "ranges", "motions"),
         rows,
         (0.28, 0.14, 0.18, 0.29, 0.11),

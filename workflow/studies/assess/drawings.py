@@ -20,23 +20,23 @@ def spread(values, gap, low, high):
     """
     count = len(values)
     gap = min(gap, (high - low) / max(count - 1, 1))
-    found = list(values)
+    places = list(values)
     for _ in range(200):
         moved = False
         for k in range(count - 1):
-            short = gap - (found[k + 1] - found[k])
+            short = gap - (places[k + 1] - places[k])
             if short > 1e-9:
-                found[k], found[k + 1], moved = (
-                    found[k] - 0.5 * short,
-                    found[k + 1] + 0.5 * short,
+                places[k], places[k + 1], moved = (
+                    places[k] - 0.5 * short,
+                    places[k + 1] + 0.5 * short,
                     True,
                 )
-        found = [
-            min(max(v, low + k * gap), high - (count - 1 - k) * gap) for k, v in enumerate(found)
+        places = [
+            min(max(v, low + k * gap), high - (count - 1 - k) * gap) for k, v in enumerate(places)
         ]
         if not moved:
             break
-    return found
+    return places
 
 
 def _levels(axis, at, levels, reach, side, gap, span):
@@ -100,7 +100,11 @@ def _elevation(axis, say, family, candidate, scale):
     ground = -family.base_m
     axis.plot([-half - 4 * scale, half + 4 * scale], [ground] * 2, color="0", lw=1.2)
     span = ground, max(top, ground + 3.0 * scale)
-    own: dict[float, list] = {0.0: [], round(h, 3): ["eaves"] if top > h else [], round(top, 3): []}
+    levels: dict[float, list] = {
+        0.0: [],
+        round(h, 3): ["eaves"] if top > h else [],
+        round(top, 3): [],
+    }
     for key, heights in (
         ("floor", [row.height_m for row in facade.floors]),
         ("step", [z for z in steps if _steps(m, z)]),
@@ -108,10 +112,10 @@ def _elevation(axis, say, family, candidate, scale):
         ("ground", [ground] if family.base_m > 0.0 else []),
     ):
         for z in heights:
-            if key not in own.setdefault(round(z, 3), []):
-                own[round(z, 3)].append(key)
+            if key not in levels.setdefault(round(z, 3), []):
+                levels[round(z, 3)].append(key)
     named = {}
-    for z, keys in own.items():
+    for z, keys in levels.items():
         there = ", ".join(say(f"figure.{key}") for key in keys)
         named[z] = f"{say.number(z, '.2f')} {there}"
     gap = 2.9 * scale

@@ -13,9 +13,9 @@ def pieces(masonry):
     Its faces are those of `Masonry.faces` at its ends; a gable's is the last.
     """
     eaves = masonry.height_m
-    found = [s[:2] for s in masonry.shape.storeys if not masonry.tapers or s[0] > eaves - NEAR_M]
-    found = [(0.0, eaves), *found] if masonry.tapers else found
-    return [*found, (eaves, masonry.top_m)] if masonry.gable_m > NEAR_M else found
+    spans = [s[:2] for s in masonry.shape.storeys if not masonry.tapers or s[0] > eaves - NEAR_M]
+    spans = [(0.0, eaves), *spans] if masonry.tapers else spans
+    return [*spans, (eaves, masonry.top_m)] if masonry.gable_m > NEAR_M else spans
 
 
 def trapezoid(masonry, low_m, high_m):
@@ -48,12 +48,12 @@ def _top(masonry, left, right):
 def _hanging(family, candidate):
     """Both bodies of horizontal bending."""
     foot, top, middle = candidate.foot_m, candidate.top_m, candidate.middle_m
-    found = []
+    outlines = []
     for end in (candidate.left_m, candidate.right_m):
         edge = _top(family.masonry, *sorted((end, middle)))
         edge = edge if end < middle else edge[::-1]
-        found.append([(middle, foot), *edge, (end, top)])
-    return found
+        outlines.append([(middle, foot), *edge, (end, top)])
+    return outlines
 
 
 def _corner(family, candidate):

@@ -39,23 +39,23 @@ def digest_of(files):
 
 def sums_of_paths(paths):
     """Text of the digests of files where they lie; of the accelerograms, which are not copied."""
-    found = {}
+    digests = {}
     for path in sorted(set(map(str, paths))):
         with open(path, "rb") as handle:
-            found[path] = hashlib.file_digest(handle, "sha256").hexdigest()
-    return "".join(_line(digest, path) for path, digest in found.items())
+            digests[path] = hashlib.file_digest(handle, "sha256").hexdigest()
+    return "".join(_line(digest, path) for path, digest in digests.items())
 
 
 def gathered(paths, texts):
     """Contents by name, of files (several of one name are numbered) and of texts by name."""
-    found = {name: text.encode() for name, text in texts.items()}
+    contents = {name: text.encode() for name, text in texts.items()}
     for path in map(Path, paths):
         name, number = path.name, 1
-        while name in found or name in OURS:
+        while name in contents or name in OURS:
             number += 1
             name = f"{path.stem}_{number}{path.suffix}"
-        found[name] = path.read_bytes()
-    return found
+        contents[name] = path.read_bytes()
+    return contents
 
 
 def keep(parent, files, report):

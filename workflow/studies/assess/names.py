@@ -14,62 +14,62 @@ AND = "+"  # between keys of what is at a foot
 PLACES = ("foot_m", "hinge_m", "held_m", "crack_deg", "left_m", "right_m")
 
 
-def kind_of(one):
+def kind_of(mechanism):
     """Key of the kind of a mechanism: a `family.Candidate`, a `sites.Site`, a row of a table."""
-    if one.side:
+    if mechanism.side:
         return CORNER
-    if known(one.crack_deg) is not None:
+    if known(mechanism.crack_deg) is not None:
         return COMPOUND
-    if known(one.left_m) is not None:
-        return PART_WIDTH if known(one.middle_m) is None else HORIZONTAL
-    return OVERTURNING if known(one.held_m) is None else BENDING
+    if known(mechanism.left_m) is not None:
+        return PART_WIDTH if known(mechanism.middle_m) is None else HORIZONTAL
+    return OVERTURNING if known(mechanism.held_m) is None else BENDING
 
 
-def key_of(one):
+def key_of(mechanism):
     """Key of a mechanism's name in the catalogue."""
-    kind = kind_of(one)
+    kind = kind_of(mechanism)
     if kind == CORNER:
-        return f"{CORNERS[int(one.side)]}_corner"
+        return f"{CORNERS[int(mechanism.side)]}_corner"
     if kind == OVERTURNING:
-        return "whole" if one.part == WHOLE_PART else "part"
+        return "whole" if mechanism.part == WHOLE_PART else "part"
     return kind
 
 
-def _foot(one, say):
+def _foot(mechanism, say):
     """What is at the foot of a part, in words; empty where that is not told."""
-    at_foot = getattr(one, "at_foot", "")
+    at_foot = getattr(mechanism, "at_foot", "")
     if not isinstance(at_foot, str) or not at_foot:
         return ""
     if at_foot == BETWEEN:
-        _, low, _, high = one.part.split("_")
+        _, low, _, high = mechanism.part.split("_")
         return say("mechanism.foot.between", low_m=float(low), high_m=float(high))
     word = say("number.and")
     return f" {word} ".join(say(f"mechanism.foot.{key}") for key in at_foot.split(AND))
 
 
-def _placed(one, say, form):
-    places = {key: known(getattr(one, key, None)) for key in PLACES}
+def _placed(mechanism, say, form):
+    places = {key: known(getattr(mechanism, key, None)) for key in PLACES}
     given = {key: value for key, value in places.items() if value is not None}
-    return say(f"mechanism.{key_of(one)}.{form}", **given)
+    return say(f"mechanism.{key_of(mechanism)}.{form}", **given)
 
 
-def name(one, say=SAY):
+def name(mechanism, say=SAY):
     """Name of a mechanism with its places, and with what is at its foot."""
-    own = _placed(one, say, "name")
-    foot = _foot(one, say) if key_of(one) == "part" else ""
-    return say("mechanism.at_foot", name=own, foot=foot) if foot else own
+    placed = _placed(mechanism, say, "name")
+    foot = _foot(mechanism, say) if key_of(mechanism) == "part" else ""
+    return say("mechanism.at_foot", name=placed, foot=foot) if foot else placed
 
 
-def the(one, say=SAY):
+def the(mechanism, say=SAY):
     """Its name within a sentence, with an article where there is one."""
-    own = _placed(one, say, "the")
-    foot = _foot(one, say) if key_of(one) == "part" else ""
-    return say("mechanism.at_foot", name=own, foot=foot) if foot else own
+    placed = _placed(mechanism, say, "the")
+    foot = _foot(mechanism, say) if key_of(mechanism) == "part" else ""
+    return say("mechanism.at_foot", name=placed, foot=foot) if foot else placed
 
 
-def short(one, say=SAY):
+def short(mechanism, say=SAY):
     """Its name within a list, without what is at its foot."""
-    return _placed(one, say, "the")
+    return _placed(mechanism, say, "the")
 
 
 def not_asked(asked, say=SAY):

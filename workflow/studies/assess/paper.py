@@ -77,26 +77,26 @@ def kind(word):
 class Marked(Formatter):
     """Numbers of an axis as another formatter writes them, with a language's decimal mark."""
 
-    def __init__(self, own, marks):
+    def __init__(self, formatter, marks):
         """Keep the other formatter, and the table for `str.translate`."""
-        self.own, self.marks = own, marks
+        self.formatter, self.marks = formatter, marks
 
     def set_axis(self, axis):
         """Tell the other formatter its axis."""
         super().set_axis(axis)
-        self.own.set_axis(axis)
+        self.formatter.set_axis(axis)
 
     def __call__(self, value, pos=None):
         """One number."""
-        return self._marked(self.own(value, pos))
+        return self._marked(self.formatter(value, pos))
 
     def format_ticks(self, values):
         """All of them."""
-        return [self._marked(text) for text in self.own.format_ticks(values)]
+        return [self._marked(text) for text in self.formatter.format_ticks(values)]
 
     def get_offset(self):
         """Power of ten beside the axis."""
-        return self._marked(self.own.get_offset())
+        return self._marked(self.formatter.get_offset())
 
     def _marked(self, text):
         """A number's text; words stay as they are."""

@@ -133,15 +133,15 @@ def tornado(say, table, base, figure):
 
 def _together(part, base, near):
     """Labels of one bar: (value, factors); those on one side that are `near` each other as one."""
-    found: list[tuple] = []
+    labels: list[tuple] = []
     for right in (False, True):
-        own = part[(part["value"] > base) == right].sort_values("value", ascending=right)
-        for row in own.itertuples():
-            if found and (found[-1][0] > base) == right and abs(row.value - found[-1][0]) < near:
-                value, factors = found.pop()
-                found.append(
+        side = part[(part["value"] > base) == right].sort_values("value", ascending=right)
+        for row in side.itertuples():
+            if labels and (labels[-1][0] > base) == right and abs(row.value - labels[-1][0]) < near:
+                value, factors = labels.pop()
+                labels.append(
                     (row.value, [*factors, row.factor] if right else [row.factor, *factors])
                 )
             else:
-                found.append((row.value, [row.factor]))
-    return found
+                labels.append((row.value, [row.factor]))
+    return labels

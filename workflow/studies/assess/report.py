@@ -28,19 +28,19 @@ WIDE_MM, HIGH_MM = 176.0, 78.0  # of the drawing
 
 def context(data, digest):
     """All that the template shows, of `appendix.Data` and the digest of the evidence."""
-    own, say, t = data.config["assessment"], data.say, data.tables
+    assessment, say, t = data.config["assessment"], data.say, data.tables
     about = {
-        "when": verdict.when(own, say),
+        "when": verdict.when(assessment, say),
         "factor": data.factor,
         "wall": walls.named(data.facade, say),
     }
     motions, motions_said = appendix.motions(data)
     return {
         "say": say,
-        "title": say("page.title", name=own["title"] or data.run),
-        "engineer": own["engineer"],
-        "registration": own["registration"],
-        "date": ", ".join(filter(None, (own["place"], own["date"]))),
+        "title": say("page.title", name=assessment["title"] or data.run),
+        "engineer": assessment["engineer"],
+        "registration": assessment["registration"],
+        "date": ", ".join(filter(None, (assessment["place"], assessment["date"]))),
         "program": data.program,
         "who": who(data),
         "verdict": verdict.headline(t, about, data.fit, say),
@@ -73,20 +73,20 @@ def answers(data):
     """Questions of the first page, each with its answer."""
     say = data.say
     left = names.not_asked(data.config["assessment"]["mechanisms"], say)
-    found = {
+    texts = {
         "ties": ties_said.answer(data),
         "far": capacity_said(data),
         "often": rate_said(data),
         "first": building_first.said(data),
         "not_covered": say("page.not_covered") + left,
     }
-    return [(say(f"page.ask.{key}"), text) for key, text in found.items() if text]
+    return [(say(f"page.ask.{key}"), text) for key, text in texts.items() if text]
 
 
 def who(data):
     """Line of client, place, run and program."""
-    own, say = data.config["assessment"], data.say
-    known = {"client": own["client"], "place": own["place"], "run": data.run}
+    assessment, say = data.config["assessment"], data.say
+    known = {"client": assessment["client"], "place": assessment["place"], "run": data.run}
     told = [say(f"page.who.{key}", value=value) for key, value in known.items() if value]
     program = say("page.who.program", program=data.program, commit=data.commit)
     return " · ".join([*told, program])
@@ -151,12 +151,12 @@ def rate_said(data):
 def left_out(data):
     """Sentence on the mechanisms that the rate leaves out, with a bound; nothing without any."""
     table = data.tables["rate_left_out"]
-    own = table[table["model"] == data.relied]
-    own = own[own["hazard"] == own["hazard"].iloc[0]] if len(own) else own
-    if own.empty:
+    rows = table[table["model"] == data.relied]
+    rows = rows[rows["hazard"] == rows["hazard"].iloc[0]] if len(rows) else rows
+    if rows.empty:
         return ""
-    bound = own["rate_bound"].sum()
-    return " " + data.say.count("page.rate.left_out", len(own), rate=bound)
+    bound = rows["rate_bound"].sum()
+    return " " + data.say.count("page.rate.left_out", len(rows), rate=bound)
 
 
 def friction_said(data):
@@ -252,13 +252,13 @@ def formula_said(outliers, say):
     """Lines on computed medians outside of what the formula allows (`words.outliers`)."""
     return [
         say(
-            f"page.rests.formula_{'more' if one.computed_g > one.high_g else 'less'}",
-            model=one.model,
-            computed_g=one.computed_g,
-            low_g=one.low_g,
-            high_g=one.high_g,
+            f"page.rests.formula_{'more' if outlier.computed_g > outlier.high_g else 'less'}",
+            model=outlier.model,
+            computed_g=outlier.computed_g,
+            low_g=outlier.low_g,
+            high_g=outlier.high_g,
         )
-        for one in outliers
+        for outlier in outliers
     ]
 
 
@@ -276,10 +276,10 @@ def moved(name, models, say):
 
 def next_steps(data):
     """Lines of what is recommended next."""
-    t, own, say = data.tables, data.config["assessment"], data.say
+    t, assessment, say = data.tables, data.config["assessment"], data.say
     known, misfit = "", ""
-    if data.factor != own["confidence_factor"]:
-        known = say("advice.confidence", stated=own["confidence_factor"], used=LEAST_KNOWN)
+    if data.factor != assessment["confidence_factor"]:
+        known = say("advice.confidence", stated=assessment["confidence_factor"], used=LEAST_KNOWN)
     if data.fit is not None and not data.fit[2]:
         misfit = say("advice.misfit")
     worse = advice.damage(t["code_sensitivity"], t["mechanisms"], data.demand_g, say)

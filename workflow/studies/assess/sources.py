@@ -64,8 +64,8 @@ def cited(*keys):
     for key in keys:
         by.setdefault(FORMULAS[key].document, []).append(key)
     parts = []
-    for document, found in by.items():
-        numbers = ", ".join(dict.fromkeys(SAY(f"formula.{key}.number") for key in found))
-        read = dict.fromkeys(SAY(f"formula.read.{FORMULAS[key].read}") for key in found)
+    for document, of_document in by.items():
+        numbers = ", ".join(dict.fromkeys(SAY(f"formula.{key}.number") for key in of_document))
+        read = dict.fromkeys(SAY(f"formula.read.{FORMULAS[key].read}") for key in of_document)
         parts.append(f"{SAY(f'formula.document.{document}')} {numbers} ({', '.join(read)})")
     return "; ".join(parts)

@@ -82,12 +82,12 @@ def headline(tables, about, fit=None, say=SAY):
     return [first, kinematic(stated, demand_g, say), governed + by_hand_alone(shaken, say)]
 
 
-def when(own, say=SAY):
+def when(assessment, say=SAY):
     """What the demand is, to begin a sentence with; of section assessment."""
-    stated = own["spectrum"] or (own["ag_g"] is not None)
-    if stated and not own["hazard"]:
+    stated = assessment["spectrum"] or (assessment["ag_g"] is not None)
+    if stated and not assessment["hazard"]:
         return say("verdict.when.stated")
-    return say("verdict.when.return_period", years=own["return_period_years"])
+    return say("verdict.when.return_period", years=assessment["return_period_years"])
 
 
 def capacity(stated, demand_g, period, say=SAY):
@@ -109,7 +109,7 @@ def early(stated, say=SAY):
 
     Both numbers are told: by the letter, and without these links.
     """
-    own = stated[stated["links_left_out"] > 0]
+    rows = stated[stated["links_left_out"] > 0]
     each = [
         say(
             "verdict.kinematic.early_one",
@@ -117,7 +117,7 @@ def early(stated, say=SAY):
             letter_g=r.pga_letter_g,
             pga_g=r.pga_fails_g,
         )
-        for r in own.itertuples()
+        for r in rows.itertuples()
     ]
     return say("verdict.kinematic.early", each="; ".join(each)) if each else ""
 
@@ -132,9 +132,9 @@ def _governed(verdicts, shaken, held, fit, say):
     row = worst.loc[model]
     key = "verdict.dynamic.fulfilled" if held else "verdict.dynamic.failed"
     words = say.count(key, verdicts["part"].nunique())
-    one = rows[row["part"]]
-    about = {"model": model, "name": names.the(one, say), "motions": row["motions"]}
-    moves = "joint" if names.kind_of(one) == names.BENDING else "top"
+    mechanism = rows[row["part"]]
+    about = {"model": model, "name": names.the(mechanism, say), "motions": row["motions"]}
+    moves = "joint" if names.kind_of(mechanism) == names.BENDING else "top"
     lengths = {"mean_m": row["mean_d_m"], "slv_m": row["d_slv_m"]}
     words += " " + say(f"verdict.dynamic.governs_{moves}", **about, **lengths)
     if row["exceed_d0"]:
@@ -220,9 +220,9 @@ def together(rows, say=SAY):
     """
     corners = rows["why_not"] == CORNER
     if corners.sum() == 2 and rows.loc[corners, "pga_fails_g"].round(6).nunique() == 1:
-        found = [(names.short(r, say), r.pga_fails_g) for r in rows[~corners].itertuples()]
+        named = [(names.short(r, say), r.pga_fails_g) for r in rows[~corners].itertuples()]
         both = say("mechanism.both_corners")
-        return [*found, (both, rows.loc[corners, "pga_fails_g"].iloc[0])]
+        return [*named, (both, rows.loc[corners, "pga_fails_g"].iloc[0])]
     return [(names.short(r, say), r.pga_fails_g) for r in rows.itertuples()]
 
 

@@ -20,7 +20,7 @@ def main(job):
     p, config = job.params, json.loads(json.dumps(dict(job.params.config)))
     tables = {Path(str(path)).stem: read_frame(path) for path in job.input.tables}
     tables |= {"verdicts": read_tables(job.input.verdicts), "yade": read_tables(job.input.yade)}
-    own = config["assessment"]
+    assessment = config["assessment"]
     write_table(values(config, list(p.given)), job.output.values, ["key", "value", "standing"])
     program = f"rocking-facades {version('rocking-facades')}"
     data = Data(
@@ -28,7 +28,7 @@ def main(job):
         list(p.given),
         tables,
         p.run,
-        demand_said(own, job.input.site, catalogue(own["language"])),
+        demand_said(assessment, job.input.site, catalogue(assessment["language"])),
         program,
         p.commit[:12] + "+" * p.commit.endswith("+"),
         f"results/{p.run}/assessment",
