@@ -46,16 +46,16 @@ def answer(table, stations, demand_g, resamples, seed):
         return None
     building, facade = table["pga_building_g"], table["pga_median_g"]
     alike = table.assign(pga_median_g=building, pga_max_g=table["building_max_g"], runs_planar=0)
-    found, _, _ = dynamic_answer.answer(alike, stations, demand_g, {}, resamples, seed)
+    row, _, _ = dynamic_answer.answer(alike, stations, demand_g, {}, resamples, seed)
     if len(table) == 1:  # which has a collapse and no median, as the façade's
-        found["median_pga_g"] = np.nan
-    own = fit(*brackets_about(facade, table["pga_max_g"], EXACT)).median
+        row["median_pga_g"] = np.nan
+    facade_median_g = fit(*brackets_about(facade, table["pga_max_g"], EXACT)).median
     first = building.fillna(np.inf) < facade.fillna(np.inf)
     return {
-        **{OF_BUILDING.get(key, key): value for key, value in found.items()},
+        **{OF_BUILDING.get(key, key): value for key, value in row.items()},
         "building_first": float(first.mean()),
-        "facade_median_g": own,
-        "beyond_building": float(own > found["median_pga_g"]),
+        "facade_median_g": facade_median_g,
+        "beyond_building": float(facade_median_g > row["median_pga_g"]),
     }
 
 
@@ -63,22 +63,22 @@ def answers(collapse, demanded, *given):
     """Rows of `answer` by model; `demanded` is the façade's table with all its mechanisms."""
     about = ["record", "direction"]
     rows = []
-    for model, own in demanded.groupby("model", sort=False):
+    for model, table in demanded.groupby("model", sort=False):
         whole = collapse[collapse["model"] == model]
         building = whole[[*about, "pga_building_g", "building_max_g"]]
-        rows.append(answer(own.merge(building, on=about, how="left"), *given))
+        rows.append(answer(table.merge(building, on=about, how="left"), *given))
     return pd.DataFrame([row for row in rows if row], columns=COLUMNS)
 
 
 def said(data):
     """The answer for the first page; empty where the building stays elastic."""
     table = data.tables["building_first"]
-    own = table[table["model"] == data.relied]
-    if own.empty:
-        own = table
-    if own.empty:
+    rows = table[table["model"] == data.relied]
+    if rows.empty:
+        rows = table
+    if rows.empty:
         return ""
-    row = next(own.itertuples())
+    row = next(rows.itertuples())
     share = row.building_probability
     if not np.isfinite(share):
         share = row.building_fell_at_demand / row.curves

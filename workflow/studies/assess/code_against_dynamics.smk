@@ -5,11 +5,11 @@ COMPARED = results("assessment").format(run=RUNS.name)
 
 def compared_facades(wildcards):
     """What each run's façade is and which files are its own, as JSON."""
-    found = {}
+    facts = {}
     for run, resolved in RUNS.settings.items():
         job = Of(run=run)
         h, b = (resolved["facade"][k] for k in ("height_m", "thickness_m"))
-        found[run] = {
+        facts[run] = {
             "height_m": h,
             "slenderness": round(h / b, 2),
             "period_s": resolved["smdof"]["period_s"],
@@ -18,7 +18,7 @@ def compared_facades(wildcards):
             "parts": GOVERNING_COLLAPSE(job),
             "levels": of_run(rules.assess_levels.output[0])(job),
         }
-    return json.dumps(found, sort_keys=True)
+    return json.dumps(facts, sort_keys=True)
 
 
 rule assess_checks:

@@ -42,23 +42,23 @@ def by_part(parts, turns, most_g, known_g=None, from_g=None):
     dict of str to list of dict
         As of `quick.crossings_of`, with pga_max_g: up to where the part was followed.
     """
-    found, least = {}, np.full(len(turns), np.inf)
+    collapses, least = {}, np.full(len(turns), np.inf)
     if known_g is not None:
         least = np.fmin(least, np.asarray(known_g, float))
     for part, case in parts.items():
         short = np.isfinite(least) & (known_g is not None)
         stands = np.zeros(len(turns)) if from_g is None else np.asarray(from_g[part], float)
         rows: list = [None] * len(turns)
-        for own, follow in ((~short, _climbed), (short, _asked)):
-            which = np.flatnonzero(own)
+        for mask, follow in ((~short, _climbed), (short, _asked)):
+            which = np.flatnonzero(mask)
             if which.size:
                 some = [turns[k] for k in which]
                 given = case, some, most_g, least[which], stands[which]
                 for k, row in zip(which, follow(*given), strict=True):
                     rows[k] = row
         least = np.fmin(least, np.array([row["pga_median_g"] for row in rows], float))
-        found[part] = rows
-    return found
+        collapses[part] = rows
+    return collapses
 
 
 def _climbed(case, turns, most_g, _, from_g):
@@ -87,8 +87,8 @@ def _asked(case, turns, most_g, least_g, from_g):
     ends = np.minimum(least_g, most_g)
     count = 1 + math.ceil(math.log(1.0 / DEEP) / math.log(RATIO))
     levels = [end * RATIO ** np.arange(1.0 - count, 0.5) for end in ends]
-    levels = [own[own > start] for own, start in zip(levels, from_g, strict=True)]
-    first = _listed(case, turns, [own[-AT_A_TIME:] for own in levels])
+    levels = [pga_g[pga_g > start] for pga_g, start in zip(levels, from_g, strict=True)]
+    first = _listed(case, turns, [pga_g[-AT_A_TIME:] for pga_g in levels])
     moved = list(range(len(turns)))
     for done in range(AT_A_TIME, count, AT_A_TIME):
         moved = [
@@ -123,10 +123,10 @@ def _asked(case, turns, most_g, least_g, from_g):
 def _listed(case, turns, levels):
     """Outcomes of a case at stated amplitudes by turn, a table each; of none an empty one."""
     nothing = pd.DataFrame({"pga_g": [], "status": [], "d_over_b": []})
-    tables, which = [nothing] * len(turns), [k for k, own in enumerate(levels) if len(own)]
+    tables, which = [nothing] * len(turns), [k for k, pga_g in enumerate(levels) if len(pga_g)]
     if which:
         settings = [{"pga_g": levels[k].tolist()} for k in which]
-        found = collapse_curves(
+        curves = collapse_curves(
             case,
             [turns[k] for k in which],
             search="list",
@@ -134,6 +134,6 @@ def _listed(case, turns, levels):
             fraction=LONG_STEP,
             brief=True,
         )
-        for k, curve in zip(which, found, strict=True):
+        for k, curve in zip(which, curves, strict=True):
             tables[k] = curve.table
     return tables

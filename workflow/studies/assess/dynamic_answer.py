@@ -22,9 +22,9 @@ def weakest(table):
 
     Rows are as of `answer`, with part and direction, NaN where nothing fell.
     """
-    own = table.groupby(["model", "record", "direction"], sort=False)
-    least = own[["record_pga_g", "pga_p10_g", "pga_median_g", "pga_max_g"]].min()
-    return least.assign(runs_planar=own["runs_planar"].sum()).reset_index()
+    by_curve = table.groupby(["model", "record", "direction"], sort=False)
+    least = by_curve[["record_pga_g", "pga_p10_g", "pga_median_g", "pga_max_g"]].min()
+    return least.assign(runs_planar=by_curve["runs_planar"].sum()).reset_index()
 
 
 def answer(table, stations, demand_g, hazards, resamples, seed):
@@ -40,32 +40,32 @@ def answer(table, stations, demand_g, hazards, resamples, seed):
     """
     collapse = table["pga_median_g"]
     low, high = brackets_about(collapse, table["pga_max_g"], EXACT)
-    found, place = fit(low, high), table["record"].map(stations)
+    fragility, place = fit(low, high), table["record"].map(stations)
     row = {
         "model": table["model"].iloc[0],
         "curves": len(table),
         "stations": place.nunique(),
         "never_collapsed": int(collapse.isna().sum()),
-        "median_pga_g": found.median if len(table) > 1 else collapse.iloc[0],
+        "median_pga_g": fragility.median if len(table) > 1 else collapse.iloc[0],
         "least_pga_g": collapse.min(),
         "fell_at_demand": int((collapse <= demand_g).sum()),
         **dict.fromkeys(("ci_low_g", "ci_high_g"), np.nan),
-        "dispersion": found.dispersion,
+        "dispersion": fragility.dispersion,
         "pga_demand_g": demand_g,
         **dict.fromkeys(("probability", "probability_low", "probability_high"), np.nan),
         "histories": int(table["runs_planar"].sum()),
     }
     if hazards:
         row |= dict.fromkeys(("annual_rate", "rate_outside", "rate_low", "rate_high"), np.nan)
-    if place.nunique() < FEWEST or not np.isfinite(found.median):
+    if place.nunique() < FEWEST or not np.isfinite(fragility.median):
         return row, None, []
     draws = bootstrap(low, high, place, resamples, seed)
     row["ci_low_g"], row["ci_high_g"] = draws.interval(draws.median, CONFIDENCE)
-    row["probability"] = float(found.probability(demand_g))
+    row["probability"] = float(fragility.probability(demand_g))
     (row["probability_low"],), (row["probability_high"],) = draws.band([demand_g], CONFIDENCE)
     rates = []
     for name, hazard in hazards.items():
-        (rate,), (outside,) = collapse_rate(hazard, found.median, found.dispersion)
+        (rate,), (outside,) = collapse_rate(hazard, fragility.median, fragility.dispersion)
         many, _ = collapse_rate(hazard, draws.median, draws.dispersion)
         low, high = draws.interval(many, CONFIDENCE)
         about = row["model"], name, hazard.intensity[0], hazard.intensity[-1]
@@ -73,7 +73,7 @@ def answer(table, stations, demand_g, hazards, resamples, seed):
     if rates:
         row |= {key: rates[0][key] for key in ("annual_rate", "rate_low", "rate_high")}
         row["rate_outside"] = rates[0]["outside_share"]
-    drawn = points(found, draws, CONFIDENCE, POINTS, REACH)
+    drawn = points(fragility, draws, CONFIDENCE, POINTS, REACH)
     return row, pd.DataFrame([(row["model"], *p) for p in drawn], columns=CURVES), rates
 
 
@@ -93,8 +93,10 @@ def left_out(parts, shaken, hazards):
     hazards : dict of str to Hazard
     """
     rows, by_hand = [], shaken.set_index("part")["pga_fails_g"]
-    for model, own in parts.groupby("model", sort=False):
-        fell = own[(own["never_collapsed"] <= 0.5 * own["curves"]) & own["dispersion"].notna()]
+    for model, answers in parts.groupby("model", sort=False):
+        fell = answers[
+            (answers["never_collapsed"] <= 0.5 * answers["curves"]) & answers["dispersion"].notna()
+        ]
         ratios = fell["median_pga_g"] / fell["part"].map(by_hand)
         ratio = min(1.0, ratios.min()) if len(fell) else USUAL_RATIO
         dispersion = fell["dispersion"].max() if len(fell) else USUAL_DISPERSION

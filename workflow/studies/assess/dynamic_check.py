@@ -70,14 +70,14 @@ def limits_of(mechanism):
     after a millimetre and elastic sway exceeds it. What the largest of `slv.readings` would say is
     told beside.
     """
-    first, *others = (one.limit(0.4)[0] for one in readings(mechanism))
+    first, *others = (reading.limit(0.4)[0] for reading in readings(mechanism))
     d0_m = mechanism.ultimate()[1]
     return Limits(d0_m, first, 0.6 * d0_m, max(others, default=math.nan))
 
 
-def limits_with(one):
+def limits_with(candidate):
     """`limits_of` a `family.Candidate`, also where it is ranked without some of its links."""
-    return limits_of(one.letter or one.mechanism)
+    return limits_of(candidate.letter or candidate.mechanism)
 
 
 def width_of(facade):
@@ -87,9 +87,9 @@ def width_of(facade):
 
 def leans_by(facade):
     """Displacement of the top of a façade that leans, at rest: limits count from there [m]."""
-    own, shape = Facade.of(facade), shape_of(facade)
+    facade, shape = Facade.of(facade), shape_of(facade)
     middle = 0.5 * sum(shape.storeys[-1][2:])
-    return moved((shape.thickness_m - middle, shape.top_m), math.radians(own.tilt_deg))[0]
+    return moved((shape.thickness_m - middle, shape.top_m), math.radians(facade.tilt_deg))[0]
 
 
 def histories(job, turns, fraction=None, realisations=0):
@@ -115,18 +115,18 @@ def histories(job, turns, fraction=None, realisations=0):
     for (motion, _), direction in turns:
         if (key := (id(motion), direction)) not in screens:
             screens[key] = run_by("planar", case, motion, direction, fraction=fraction, brief=True)
-    found = together(
+    outcomes = together(
         [
             (screens[id(motion), direction], pga_g * factors, bool(realisations))
             for (motion, pga_g), direction in turns
         ]
     )
     tables, width_m, at_rest_m = [], width_of(job["facade"]), leans_by(job["facade"])
-    for ((motion, pga_g), direction), table in zip(turns, found, strict=True):
+    for ((motion, pga_g), direction), table in zip(turns, outcomes, strict=True):
         about = {"model": job["model"], "record": motion.name, "direction": direction}
         about |= {"realisation": np.arange(1, realisations + 1) if realisations else 0}
-        own = {name: table[name].to_numpy() for name in ("d_over_b", "status")}
-        about |= {"pga_g": pga_g, "d_m": width_m * own["d_over_b"] - at_rest_m, **own}
+        columns = {name: table[name].to_numpy() for name in ("d_over_b", "status")}
+        about |= {"pga_g": pga_g, "d_m": width_m * columns["d_over_b"] - at_rest_m, **columns}
         tables.append(pd.DataFrame(about)[COLUMNS])
     return tables
 
@@ -139,19 +139,19 @@ def checked(job, motions, directions, limits, realisations, care=FINE):
     the ones are perturbed that move the façade by more than `care.near` d0; by long steps alone are
     run those that move it by less than `care.calm` d0.
     """
-    turns = [(one, direction) for one in motions for direction in directions]
-    found = _as_they_are(job, care.calm * limits.d0_m, turns)
-    over = [bool(exceeds(own, limits).any()) for own in found]
-    far = [not own["d_m"].max() <= care.near * limits.d0_m for own in found]
+    turns = [(motion, direction) for motion in motions for direction in directions]
+    tables = _as_they_are(job, care.calm * limits.d0_m, turns)
+    over = [bool(exceeds(table, limits).any()) for table in tables]
+    far = [not table["d_m"].max() <= care.near * limits.d0_m for table in tables]
     fell = [turn for turn, beyond in zip(turns, over, strict=True) if beyond]
     every = zip(turns, over, far, strict=True)
     stood = [turn for turn, beyond, moved in every if moved and not beyond]
     for some in (*([turn] for turn in fell), stood) if realisations else ():
         again = histories(job, some, realisations=realisations) if some else []
-        found += again
+        tables += again
         if some is not stood and exceeds(again[0], limits).all():
             break
-    return pd.concat(found, ignore_index=True)
+    return pd.concat(tables, ignore_index=True)
 
 
 def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once=1):
@@ -181,10 +181,10 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
     turn : tuple or None
         What ended it.
     """
-    found, far, ended, total_m = [], [], None, 0.0
+    tables, far, ended, total_m = [], [], None, 0.0
     once = partial(_as_they_are, job, care.calm * limits.d0_m)
     for turn, table in _run(many, once, turns, at_once, VECTOR):
-        found.append(table)
+        tables.append(table)
         d_m = table.loc[table["status"] != "failed", "d_m"].max()
         total_m += 0.0 if np.isnan(d_m) else d_m
         if d_m > care.near * limits.d0_m:
@@ -192,15 +192,15 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
         if exceeds(table, limits).any() or total_m > limits.slv_m * len(turns):
             ended = turn
             break
-    far = sorted(far, key=lambda one: -one[0]) if realisations and ended is None else []
+    far = sorted(far, key=lambda pair: -pair[0]) if realisations and ended is None else []
     step = LONG_STEP if math.isinf(care.calm) else None
     again = partial(histories, job, fraction=step, realisations=realisations)
     for turn, table in _run(many, again, [turn for _, turn in far], at_once, REPEATED):
-        found.append(table)
+        tables.append(table)
         if exceeds(table, limits).sum() > (1.0 - LEAST_DRAWS) * (realisations + 1):
             ended = turn
             break
-    table = pd.concat(found, ignore_index=True)
+    table = pd.concat(tables, ignore_index=True)
     if (table["status"] == "failed").all():
         said = {"exceed_d0": 0, "mean_d_m": 0.0, "agree": 1.0, "slv": False}
     else:
@@ -227,8 +227,8 @@ def _run(many, run, turns, at_once, most):
     while some := turns[at : at + most * at_once]:
         groups = [some[k::at_once] for k in range(min(at_once, len(some)))]
         tables: list = [None] * len(some)
-        for k, found in enumerate(many(run, groups)):
-            tables[k::at_once] = found
+        for k, of_group in enumerate(many(run, groups)):
+            tables[k::at_once] = of_group
         yield from zip(some, tables, strict=True)
         at, most = at + len(some), THEN
 
@@ -241,17 +241,17 @@ def _as_they_are(job, calm_m, turns):
     """
     if job.get("facade", {}).get("courses") and not math.isinf(calm_m):
         return histories(job, turns)
-    found = histories(job, turns, LONG_STEP)
+    tables = histories(job, turns, LONG_STEP)
     if math.isinf(calm_m):
-        return found
+        return tables
     moved = [
         k
-        for k, table in enumerate(found)
+        for k, table in enumerate(tables)
         if (table["status"] != "ok").any() or not table["d_m"].max() <= calm_m
     ]
     for k, table in zip(moved, histories(job, [turns[k] for k in moved]), strict=True):
-        found[k] = table
-    return found
+        tables[k] = table
+    return tables
 
 
 def exceeds(table, limits):

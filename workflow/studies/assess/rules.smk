@@ -12,10 +12,10 @@ def checked(function):
 
     def files(wildcards):
         try:
-            found = function(RUNS.cfg(wildcards), RUNS.find_file)
+            path = function(RUNS.cfg(wildcards), RUNS.find_file)
         except ValueError as error:
             stop(error)
-        return [] if found is None else [found]
+        return [] if path is None else [path]
 
     return files
 
@@ -33,11 +33,11 @@ def site(wildcards):
         try:
             assessed.check_stated(RUNS.stated[wildcards.run], RUNS.cfg(wildcards)["models"])
             assessed.check_mechanisms(RUNS.cfg(wildcards))
-            found = SPECTRUM(wildcards) + HAZARD(wildcards)
-            assessed.check_demand(RUNS.cfg(wildcards), *found)
+            files = SPECTRUM(wildcards) + HAZARD(wildcards)
+            assessed.check_demand(RUNS.cfg(wildcards), *files)
         except ValueError as error:
             stop(error)
-        SITES[wildcards.run] = found
+        SITES[wildcards.run] = files
     return SITES[wildcards.run]
 
 
@@ -77,10 +77,10 @@ def dry(run):
 
 def governing(run):
     """Model that the rate rests on: W2m where it is among them, else the last of them."""
-    found = dry(run)
-    if not found:
+    models = dry(run)
+    if not models:
         stop("models: expected W1, W2 or W2m among them for assess")
-    return GOVERNS if GOVERNS in found else found[-1]
+    return GOVERNS if GOVERNS in models else models[-1]
 
 
 def curves(wildcards):
@@ -240,8 +240,8 @@ rule assess_confirm:
     input:
         **MOTIONS,
         cases=of_run(rules.facade_case.output[0], model=dry),
-        histories=of_run(*(one.histories for one in CHECKED_PARTS), model=dry),
-        verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),
+        histories=of_run(*(files.histories for files in CHECKED_PARTS), model=dry),
+        verdicts=of_run(*(files.verdict for files in CHECKED_PARTS), model=dry),
         shaken=rules.assess_code.output.shaken,
         yade=rules.yade_check.output[0],
         study=command_code("ida"),
@@ -302,7 +302,7 @@ rule assess_friction:
         motions=rules.assess_selection.output.motions,
         whole=of_run(rules.assess_collapse.output[0], model=governing),
         parts=of_run(rules.assess_parts_collapse.output[0], model=governing),
-        verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=governing),
+        verdicts=of_run(*(files.verdict for files in CHECKED_PARTS), model=governing),
         checks=rules.assess_code.output.checks,
         shaken=rules.assess_code.output.shaken,
         hazard=HAZARD,
@@ -364,7 +364,7 @@ rule assess_report:
             rules.assess_friction.output,
         ),
         ties=rules.assess_ties.output.yaml,
-        verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),
+        verdicts=of_run(*(files.verdict for files in CHECKED_PARTS), model=dry),
         yade=[rules.assess_confirm.output[0]],
         site=printed,
         table=lambda w: RUNS.table_path(w.run),

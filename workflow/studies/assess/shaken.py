@@ -35,15 +35,15 @@ CORNER, FAR, STOCKY, REFUSED = "corner", "far", "stocky", "refused"  # why one i
 NARROW = "narrow"
 
 
-def heights(one):
+def heights(mechanism):
     """Foot, held level and hinge of a `family.Candidate`, as `Case.part` takes them."""
-    return one.foot_m, one.held_m, one.hinge_m
+    return mechanism.foot_m, mechanism.held_m, mechanism.hinge_m
 
 
-def part_of(case, one):
+def part_of(case, mechanism):
     """Case of a mechanism, a `family.Candidate` or a row of `chosen`."""
-    foot, *held = (None if v is None or pd.isna(v) else v for v in heights(one))
-    crack_deg = one.crack_deg
+    foot, *held = (None if v is None or pd.isna(v) else v for v in heights(mechanism))
+    crack_deg = mechanism.crack_deg
     crack_deg = 0.0 if crack_deg is None or pd.isna(crack_deg) else crack_deg
     return case.part(foot, *held, wedge_deg=crack_deg)
 
@@ -53,13 +53,13 @@ def is_far(table):
     return table["why_not"].fillna("") == FAR
 
 
-def settled(case, own):
+def settled(case, assessment):
     """A case as it is shaken, by the keys SETTLED of section assessment.
 
     Friction of floors holds it as stated or not at all; every anchor of a tie has a capacity.
     """
-    facade = copy.deepcopy(completed(case["facade"], own))
-    if not own["floor_friction"]:
+    facade = copy.deepcopy(completed(case["facade"], assessment))
+    if not assessment["floor_friction"]:
         for row in facade["floors"]:
             row["friction"] = 0.0
     return Case({**case.sections, "facade": facade})
@@ -67,8 +67,8 @@ def settled(case, own):
 
 def settled_by(settings):
     """Keys SETTLED of `settings`, which has them by dotted key or in section assessment."""
-    own = settings.get("assessment") or {}
-    return {key: own.get(key, settings.get(f"assessment.{key}")) for key in SETTLED}
+    assessment = settings.get("assessment") or {}
+    return {key: assessment.get(key, settings.get(f"assessment.{key}")) for key in SETTLED}
 
 
 def rubs(facade):
@@ -81,19 +81,19 @@ def told(why, pga_g):
     return why, SAY(f"verdict.why_told.{why}", pga_g=pga_g)
 
 
-def why_not(one, pga_g, least_g, tried):
+def why_not(candidate, pga_g, least_g, tried):
     """Key of why a mechanism is not shaken, and the reason in words; both empty if it is.
 
     `least_g` is the PGA by hand from which on it is left out; `tried` has a case of each model.
     """
-    if not one.plane:
-        return told(CORNER if one.side else NARROW, pga_g)
-    by_hand = one.held_m is None and math.isnan(limits_with(one).bare_m)
-    if by_hand and not one.whole and pga_g > least_g:
+    if not candidate.plane:
+        return told(CORNER if candidate.side else NARROW, pga_g)
+    by_hand = candidate.held_m is None and math.isnan(limits_with(candidate).bare_m)
+    if by_hand and not candidate.whole and pga_g > least_g:
         return told(FAR, pga_g)
     try:
         for case in tried:
-            part_of(case, one)
+            part_of(case, candidate)
     except TooStockyError:
         return told(STOCKY, pga_g)
     except ValueError as error:
@@ -109,11 +109,11 @@ def chosen(ranked, tried, demand_g, within):
     of `tried`, one of each model.
     """
     rows = []
-    for pga_g, one, _ in ranked:
-        why = why_not(one, pga_g, within * demand_g, tried)
-        about = one.part, one.name, *heights(one), one.side, pga_g
-        about = *about, *(getattr(one, key) for key in (*EXTENT, "at_foot"))
-        rows.append((*about, *limits_with(one), int(not why[0]), *why))
+    for pga_g, candidate, _ in ranked:
+        why = why_not(candidate, pga_g, within * demand_g, tried)
+        about = candidate.part, candidate.name, *heights(candidate), candidate.side, pga_g
+        about = *about, *(getattr(candidate, key) for key in (*EXTENT, "at_foot"))
+        rows.append((*about, *limits_with(candidate), int(not why[0]), *why))
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
@@ -134,7 +134,7 @@ def cases_of(case, path=None):
     if path is None:
         return {WHOLE_PART: case}
     every = cases(case, read_frame(path))
-    return {row.part: own for row, own in every if row.part != WHOLE_PART}
+    return {row.part: part_case for row, part_case in every if row.part != WHOLE_PART}
 
 
 def limits_by_part(table):

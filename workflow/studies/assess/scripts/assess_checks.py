@@ -15,11 +15,11 @@ def main(job):
     for name, station in job.params.records.items():
         record = load_as(settings, name, job.params.table)
         of_record = {"record": name, "station": station}
-        found = failing_pga(mechanism, settings, record)
+        by_check = failing_pga(mechanism, settings, record)
         rows += [
             {**of_record, "direction": direction, "check": key, "pga_fails_g": pga_g}
             for direction in settings["directions"]
-            for key, pga_g in found.items()
+            for key, pga_g in by_check.items()
         ]
     write_table(rows, job.output[0])
 

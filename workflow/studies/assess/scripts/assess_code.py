@@ -26,8 +26,8 @@ def main(job):
     write_table(code_tables.mechanisms(settings, demand, ranked), out.mechanisms)
     write_table(code_tables.spectra(records, settings, demand, least.place), out.spectra)
     within = settings["assessment"]["shaken_within"]
-    own = settings["assessment"]
-    tried = [shaken.settled(Case.read(path), own) for path in job.input.cases]
+    assessment = settings["assessment"]
+    tried = [shaken.settled(Case.read(path), assessment) for path in job.input.cases]
     parts = shaken.chosen(ranked, tried, demand.pga_g, within)
     write_table(parts, out.shaken, digits=None)  # heights to the digit
 

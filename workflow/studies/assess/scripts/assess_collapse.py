@@ -31,7 +31,7 @@ def main(job):
     turns = [(motions[name], direction) for name, direction in job.params.curves]
     whole = getattr(job.input, "whole", None)
     known = read_frame(str(whole))["pga_median_g"] if whole else None
-    found = by_part(cases_of(case, shaken), turns, settings["ida.max_pga_g"], known)
+    collapses = by_part(cases_of(case, shaken), turns, settings["ida.max_pga_g"], known)
     rows, most_g = [], settings["ida.max_pga_g"]
     weak = not shaken and case.kind.chain and yields(case["smdof"])
     for k, (motion, direction) in enumerate(turns):
@@ -40,7 +40,7 @@ def main(job):
         if weak:
             about |= {"pga_building_g": falls_at(case, motion, direction, most_g)}
             about |= {"building_max_g": most_g}
-        rows += [{"part": part, **about, **own[k]} for part, own in found.items()]
+        rows += [{"part": part, **about, **crossings[k]} for part, crossings in collapses.items()]
     write_table(rows, job.output[0], ["part", *COLUMNS] if shaken else [*COLUMNS, *BUILDING])
 
 

@@ -35,12 +35,12 @@ def main(job):
     asked = ("nearest", "worst")[:count] if len(verdicts) else ()
     if asked:
         given = job.input.cases, verdicts, table, job.input.shaken, settings["assessment"]
-        case, found, table = _governing(*given)
+        case, verdict, table = _governing(*given)
         kept = folder / f"{case.model}.json"
         kept.write_text(case.to_json())
     for which in asked:
-        own = table[(table["record"] == found[which]) & (table["realisation"] == 0)]
-        row = own.loc[(own["d_m"] - found[f"{which}_d_m"]).abs().idxmin()]
+        histories = table[(table["record"] == verdict[which]) & (table["realisation"] == 0)]
+        row = histories.loc[(histories["d_m"] - verdict[f"{which}_d_m"]).abs().idxmin()]
         record = load_as(settings, row["record"], job.params.table)
         time_s, columns = floor_columns(record, case.sections["smdof"])
         vertical = columns.pop(floor_motions.VERTICAL, None)
@@ -58,20 +58,20 @@ def main(job):
         yade = read_frame(output).iloc[-1]
         facade = case.sections["facade"]
         d = width_of(facade) * min(yade["d_over_b"], 1.0) - leans_by(facade)
-        values = (found["part"], which, row["pga_g"], row["d_m"], d, yade["status"])
+        values = (verdict["part"], which, row["pga_g"], row["d_m"], d, yade["status"])
         rows.append((case.model, row["record"], row["direction"], *values))
     write_table(rows, job.output[0], COLUMNS)
 
 
-def _governing(scenes, verdicts, histories, shaken, own):
+def _governing(scenes, verdicts, histories, shaken, assessment):
     """Case, verdict and histories of the model and mechanism that decide."""
     worst = deciding(verdicts).set_index("model")
-    found = worst.loc[decided_by(verdicts)]
-    every = {case.model: settled(case, own) for case in map(Case.read, scenes)}
-    parts = cases(every[found.name], read_frame(shaken))
-    own = {row.part: part for row, part in parts}[found["part"]]
-    mine = (histories["part"] == found["part"]) & (histories["model"] == found.name)
-    return own, found, histories[mine]
+    verdict = worst.loc[decided_by(verdicts)]
+    every = {case.model: settled(case, assessment) for case in map(Case.read, scenes)}
+    parts = cases(every[verdict.name], read_frame(shaken))
+    case = {row.part: part for row, part in parts}[verdict["part"]]
+    mine = (histories["part"] == verdict["part"]) & (histories["model"] == verdict.name)
+    return case, verdict, histories[mine]
 
 
 run(main, globals())

@@ -26,19 +26,19 @@ def main(job):
     given = (p.stations, demand_g, hazards, p.resamples, p.seed)
     whole = read_tables(job.input.collapse).assign(part=WHOLE_PART)
     every = together([whole, read_tables(job.input.parts)])
-    own = every.groupby("model", sort=False)
-    found = [answer(weakest(rows), *given) for _, rows in own]
-    counts = own["part"].nunique()
-    rows = [{**row, "mechanisms": counts[row["model"]]} for row, *_ in found]
+    by_model = every.groupby("model", sort=False)
+    answers = [answer(weakest(rows), *given) for _, rows in by_model]
+    counts = by_model["part"].nunique()
+    rows = [{**row, "mechanisms": counts[row["model"]]} for row, *_ in answers]
     write_table(rows, job.output.table)
-    curves = [curve for _, curve, _ in found if curve is not None]
+    curves = [curve for _, curve, _ in answers if curve is not None]
     write_table(pd.concat(curves) if curves else [], job.output.curves, CURVES)
-    rates = [{**row, "years": p.years} for *_, rows in found for row in rows]
+    rates = [{**row, "years": p.years} for *_, rows in answers for row in rows]
     for row in rates:
         row["probability"] = probability_within(row["annual_rate"], p.years)
     write_table(rates, job.output.rates, [*RATES, "years", "probability"])
-    own = every.groupby(["part", "model"], sort=False)
-    parts = [{"part": part, **answer(rows, *given)[0]} for (part, _), rows in own]
+    by_part = every.groupby(["part", "model"], sort=False)
+    parts = [{"part": part, **answer(rows, *given)[0]} for (part, _), rows in by_part]
     write_table(parts, job.output.parts)
     table = read_frame(job.input.shaken)
     write_table(left_out(pd.DataFrame(parts), table, hazards), job.output.left_out, LEFT_OUT)

@@ -31,16 +31,18 @@ STANDS = 0.9  # of where a mechanism falls without the friction, from where it i
 
 def main(job):
     p, settings = job.params, json.loads(job.params.settings)
-    own, case = settings["assessment"], Case.read(job.input.case)
+    assessment, case = settings["assessment"], Case.read(job.input.case)
     rows = []
     if rubs(case["facade"]):
-        other, table = not own["floor_friction"], read_frame(job.input.shaken)
-        stated = {row.part: one for row, one in cases(settled(case, own), table)}
-        changed = settled(case, {**own, "floor_friction": other})
-        parts = {row.part: one for row, one in cases(changed, table)}
+        other, table = not assessment["floor_friction"], read_frame(job.input.shaken)
+        stated = {row.part: part_case for row, part_case in cases(settled(case, assessment), table)}
+        changed = settled(case, {**assessment, "floor_friction": other})
+        parts = {row.part: part_case for row, part_case in cases(changed, table)}
         falls = _stated(job)["pga_median_g"].fillna(np.inf).groupby("part").median()
         parts = {part: parts[part] for part in falls.sort_values(kind="stable").index}
-        alike = {part for part, one in parts.items() if one.sections == stated[part].sections}
+        alike = {
+            part for part, part_case in parts.items() if part_case.sections == stated[part].sections
+        }
         records = {name: load_as(settings, name, p.table) for name, _ in p.curves}
         rows = [{"friction": int(other), **_checked(job, parts, alike, records, settings)}]
         rows[0] |= _collapse(job, parts, alike, records, settings)
@@ -49,20 +51,20 @@ def main(job):
 
 def _checked(job, parts, alike, records, settings):
     """Of how many mechanisms the code's dynamic check was made, and how many are not held."""
-    known, own = limits_by_part(read_frame(job.input.shaken)), settings["assessment"]
+    known, assessment = limits_by_part(read_frame(job.input.shaken)), settings["assessment"]
     motions = [
         (Motion(records[row.record]), row.pga_g)
         for row in read_frame(job.input.motions).itertuples()
     ]
-    turns = [(one, way) for one in motions for way in settings["directions"]]
-    count, seed, held = own["dynamic_realisations"], settings["seed"], []
+    turns = [(motion, way) for motion in motions for way in settings["directions"]]
+    count, seed, held = assessment["dynamic_realisations"], settings["seed"], []
     before = read_tables(job.input.verdicts)
-    for part, one in parts.items() if motions else ():
+    for part, case in parts.items() if motions else ():
         stated = bool(surely(before[before["part"] == part]).all())
-        if part in alike or stated != own["floor_friction"]:
+        if part in alike or stated != assessment["floor_friction"]:
             held.append(stated)
         else:
-            about, _ = decided(one.sections, turns, known[part], count, seed)
+            about, _ = decided(case.sections, turns, known[part], count, seed)
             held.append(about["holds"])
     return {"checked": len(held), "not_held": len(held) - sum(held)}
 
@@ -86,17 +88,17 @@ def _collapse(job, parts, alike, records, settings):
     stated = _stated(job)
     known, below = np.full(len(curves), np.nan), None
     for part in alike:
-        own = [stated.at[(part, *curve), "pga_median_g"] for curve in curves]
-        known = np.fmin(known, np.array(own, float))
+        medians_g = [stated.at[(part, *curve), "pga_median_g"] for curve in curves]
+        known = np.fmin(known, np.array(medians_g, float))
     if not settings["assessment"]["floor_friction"]:
         stood = stated["pga_median_g"].fillna(stated["pga_max_g"])
         below = {part: [STANDS * stood[(part, *curve)] for curve in curves] for part in parts}
-    found = by_part(parts, turns, most_g, known, below)
+    collapses = by_part(parts, turns, most_g, known, below)
     rows = []
     for k, (motion, direction) in enumerate(turns):
         about = {"model": p.model, "record": motion.name, "direction": direction}
         about |= {"record_pga_g": measures(motion.record)["pga_g"]}
-        rows += [{"part": part, **about, **one[k]} for part, one in found.items()]
+        rows += [{"part": part, **about, **crossings[k]} for part, crossings in collapses.items()]
     curve = read_hazard(file, p.period_s, p.site) if file else None
     hazards = hazards_of(settings["assessment"], curve, Path(file).name)
     demand_g = read_frame(job.input.checks)["pga_demand_g"].iloc[0]
@@ -107,8 +109,8 @@ def _collapse(job, parts, alike, records, settings):
 def _stated(job):
     """Where every mechanism collapses as the report has it, by part and motion."""
     whole = read_frame(job.input.whole).assign(part=WHOLE_PART)
-    found = together([whole, read_frame(job.input.parts)])
-    return found.set_index(["part", "record", "direction"])
+    table = together([whole, read_frame(job.input.parts)])
+    return table.set_index(["part", "record", "direction"])
 
 
 run(main, globals())

@@ -15,10 +15,10 @@ from studies.assess.comparison import REFERENCE_G, SITE
 def main(job):
     settings = completed_settings(json.loads(job.params.settings))
     demand = CodeDemand(REFERENCE_G, *SITE)
-    plane = [one for one in family_of(settings, demand).all() if one.plane]
+    plane = [candidate for candidate in family_of(settings, demand).all() if candidate.plane]
     ranked = governing(plane, settings, demand)
-    own = settings["assessment"]
-    tried = [shaken.settled(Case.read(path), own) for path in job.input.cases]
+    assessment = settings["assessment"]
+    tried = [shaken.settled(Case.read(path), assessment) for path in job.input.cases]
     table = shaken.chosen(ranked, tried, ranked[0][0], 1.0)  # the first alone, and the whole
     write_table(table, job.output[0], digits=None)  # heights to the digit
 

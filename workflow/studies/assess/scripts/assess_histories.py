@@ -25,16 +25,16 @@ def main(job):
         for row in read_frame(job.input.motions).itertuples()
     ]
     directions, count = settings["directions"], assessment["dynamic_realisations"]
-    found, rows = [], []
-    for row, own in cases(case, table) if motions else ():
+    tables, rows = [], []
+    for row, part_case in cases(case, table) if motions else ():
         if (row.part == WHOLE_PART) is not job.params.whole:
             continue
         limits = known[row.part]
-        histories = checked(own.sections, motions, directions, limits, count)
-        found.append(histories.assign(part=row.part))
+        histories = checked(part_case.sections, motions, directions, limits, count)
+        tables.append(histories.assign(part=row.part))
         said = verdict(histories, limits, settings["seed"])
         rows.append({"part": row.part, "model": case.model, **said})
-    write_table(pd.concat(found) if found else [], job.output.histories, ["part", *COLUMNS])
+    write_table(pd.concat(tables) if tables else [], job.output.histories, ["part", *COLUMNS])
     write_table(rows, job.output.verdict, None if rows else ["part", "model"])
 
 

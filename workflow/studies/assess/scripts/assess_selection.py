@@ -21,17 +21,17 @@ def about(record):
 
 def main(job):
     settings = json.loads(job.params.settings)
-    own, stations = settings["assessment"], job.params.stations
+    assessment, stations = settings["assessment"], job.params.stations
     records = {name: load_as(settings, name, job.params.table) for name in stations}
     given = settings, list(records.values()), job.input.spectrum, job.input.hazard
     demand = site.demand_from(*given)
     motions = pd.DataFrame(columns=["record", "station", "factor", "pga_g", *ABOUT])
     spectra = pd.DataFrame(columns=["period_s", "target_g", "mean_g"])
-    if len(set(stations.values())) >= own["motions"]:
+    if len(set(stations.values())) >= assessment["motions"]:
         highest_s = selection.longest_period(settings, demand)
-        period_s = selection.periods(own["match_low_s"], highest_s)
-        found = selection.spectra_of(records.values(), period_s)
-        chosen = selection.for_demand(demand, stations, found, period_s, own)
+        period_s = selection.periods(assessment["match_low_s"], highest_s)
+        spectra_g = selection.spectra_of(records.values(), period_s)
+        chosen = selection.for_demand(demand, stations, spectra_g, period_s, assessment)
         scaled = list(zip(chosen.names, chosen.factors, strict=True))
         rows = [
             (n, stations[n], f, f * measures(records[n])["pga_g"], *about(records[n]))
@@ -40,7 +40,7 @@ def main(job):
         motions = pd.DataFrame(rows, columns=motions.columns)
         spectra = pd.DataFrame(
             {"period_s": period_s, "target_g": chosen.target_g, "mean_g": chosen.mean_g}
-            | {name: factor * found[list(stations).index(name)] for name, factor in scaled}
+            | {name: factor * spectra_g[list(stations).index(name)] for name, factor in scaled}
         )
     write_table(motions, job.output.motions)
     write_table(spectra, job.output.spectra)

@@ -44,20 +44,20 @@ def half_collapse(case, shaken, max_pga_g, stated_g):
 
     By motion, as `stated_g`; 0 of one that does not stand at rest.
     """
-    limit, found = {"max_pga_g": max_pga_g}, np.full(len(shaken), np.nan)
+    limit, changed_g = {"max_pga_g": max_pga_g}, np.full(len(shaken), np.nan)
 
     def sought(which, settings):
         some = crossings_of(case, [shaken[k] for k in which], settings, brief=True)
-        found[which] = [one["pga_median_g"] for one in some]
+        changed_g[which] = [crossing["pga_median_g"] for crossing in some]
 
     known, start = np.isfinite(stated_g), BELOW * stated_g
     try:
         near = np.flatnonzero(known)
         sought(near, [{**limit, "from_g": start[k]} for k in near])
-        sought(np.flatnonzero(~known | (found < CLEAR * start)), limit)
+        sought(np.flatnonzero(~known | (changed_g < CLEAR * start)), limit)
     except DoesNotStandError:
-        found[:] = 0.0
-    return found
+        changed_g[:] = 0.0
+    return changed_g
 
 
 def main(job):
@@ -68,7 +68,7 @@ def main(job):
         [read_frame(job.input.collapse).assign(part=WHOLE_PART), read_frame(job.input.parts)]
     )
     part = known.fillna({"pga_median_g": np.inf}).groupby("part")["pga_median_g"].median().idxmin()
-    case = {row.part: own for row, own in cases(whole, table)}[part]
+    case = {row.part: part_case for row, part_case in cases(whole, table)}[part]
     known = known[(known["part"] == part) & known["pga_median_g"].notna()]
     known = known.iloc[:: max(1, len(known) // RECORDS)][:RECORDS]
     stated_g = known["pga_median_g"].to_numpy(float)
@@ -80,13 +80,13 @@ def main(job):
     courses = bool(whole["facade"]["courses"])
     try:
         other = whole.varied(OTHER_WALL[courses])
-        own = next(one for row, one in cases(other, table) if row.part == part)
-        changed.append(({"key": WALL[courses], "factor": 1.0}, own))
+        other_case = next(part_case for row, part_case in cases(other, table) if row.part == part)
+        changed.append(({"key": WALL[courses], "factor": 1.0}, other_case))
     except ValueError:  # no such façade in courses
         pass
-    for of_variant, one in changed:
-        found = half_collapse(one, shaken, most, stated_g)
-        said = {**about, **of_variant, "pga_stated_g": stated_g, "pga_changed_g": found}
+    for of_variant, varied_case in changed:
+        changed_g = half_collapse(varied_case, shaken, most, stated_g)
+        said = {**about, **of_variant, "pga_stated_g": stated_g, "pga_changed_g": changed_g}
         tables.append(pd.DataFrame(said, index=range(len(shaken))))
     table = pd.concat(tables)[COLUMNS].sort_index(kind="stable")
     ratio = table["pga_changed_g"] / table["pga_stated_g"]

@@ -17,9 +17,9 @@ from yade_scripts.model.registry import MODELS
 def main(job):
     table = gather(json.loads(job.params.runs))
     write_table(table, job.output.ratios)
-    found = compare(table, job.params.resamples, job.params.seed)
-    write_table(found, job.output.table)
-    draw(found, job.output, job.input.facts)
+    comparison = compare(table, job.params.resamples, job.params.seed)
+    write_table(comparison, job.output.table)
+    draw(comparison, job.output, job.input.facts)
 
 
 def draw(table, output, facts):
@@ -29,14 +29,14 @@ def draw(table, output, facts):
     figure, axes = panels(len(models), len(models), (2.6, 4.0), around=(2.2, 0.0), sharey=True)
     keys = [k for k in CHECKS if (table["check"] == k).any()]
     for axis, model in zip(axes.flat, models, strict=True):
-        own = table[table["model"] == model].set_index("check").reindex(keys)
+        rows = table[table["model"] == model].set_index("check").reindex(keys)
         y = np.arange(len(keys))[::-1]
-        middle, spread = own["median_ratio"], np.exp(own["log_scatter"])
+        middle, spread = rows["median_ratio"], np.exp(rows["log_scatter"])
         axis.axvspan(1.0, 100.0, color="0.92", lw=0)
         axis.axvline(1.0, color="0.3", lw=0.8)
         look = {"marker": MODELS[model].marker, "color": "0.1", "ms": 4, "lw": 0.9}
         intervals(axis, y, middle, middle / spread, middle * spread, along="x", **look)
-        for at, (_, row) in zip(y, own.iterrows(), strict=True):
+        for at, (_, row) in zip(y, rows.iterrows(), strict=True):
             words = f"{100 * row['unsafe_share']:.0f} %"
             axis.text(1.02, at, words, transform=axis.get_yaxis_transform(), va="center", size=7)
         axis.set(xscale="log", xlim=(0.02, 15.0), ylim=(-0.7, len(keys) - 0.3))
