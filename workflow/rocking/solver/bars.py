@@ -67,9 +67,9 @@ def _arm(place, turn, body, arm):
 @inlined
 def _tie(bars, memory, i, place, turn, supports, pushed):
     """Force of a tie; energy stored, taken in this step, and whether it was lost in it."""
-    j, own, k = bars.tie_support[i], bars.tie_body[i], bars.tie_k_n_m[i]
+    j, body, k = bars.tie_support[i], bars.tie_body[i], bars.tie_k_n_m[i]
     most, taut, yielded = bars.tie_capacity_n[i], bars.tie_taut_m[i], take(memory.yielded_m, i)
-    y, z, ry, rz = _arm(place, turn, own, bars.tie_arm_m[i])
+    y, z, ry, rz = _arm(place, turn, body, bars.tie_arm_m[i])
     at = j if j >= 0 else len(supports.y) - 1
     ey, ez = y + ry - bars.tie_end_m[i, 0] - take(supports.y, at), z + rz - bars.tie_end_m[i, 1]
     # what pulls is longer than `taut`; the rounding of a square cannot hide it
@@ -93,7 +93,7 @@ def _tie(bars, memory, i, place, turn, supports, pushed):
         spent = choose(yields, pull * (longer - pull / k - yielded), spent)
         put_where(memory.yielded_m, i, yields, longer - pull / k)
     gy, gz = choose(pulls, -pull * ey / length, 0.0), choose(pulls, -pull * ez / length, 0.0)
-    push(pushed, own, 1.0, (gy, gz), (ry, rz))
+    push(pushed, body, 1.0, (gy, gz), (ry, rz))
     put(supports.fy, at, take(supports.fy, at) - gy)
     return choose(pulls, 0.5 * pull * pull / k, 0.0), spent, lost
 
@@ -101,9 +101,9 @@ def _tie(bars, memory, i, place, turn, supports, pushed):
 @inlined
 def _floor(bars, memory, i, place, turn, half_s, supports, ground_m_s2, weight_ratio, pushed):
     """Force of a floor; energy stored, its load's included, and taken in this step."""
-    j, own, mass = bars.floor_support[i], bars.floor_body[i], bars.mass_kg[i]
+    j, body, mass = bars.floor_support[i], bars.floor_body[i], bars.mass_kg[i]
     k, most, slid = bars.floor_k_n_m[i], bars.floor_capacity_n[i], take(memory.slid_m, i)
-    y, z, ry, rz = _arm(place, turn, own, bars.floor_arm_m[i])
+    y, z, ry, rz = _arm(place, turn, body, bars.floor_arm_m[i])
     ay, az = bars.floor_arm_m[i]
     at = j if j >= 0 else len(supports.y) - 1
     behind = take(supports.y, at)
@@ -117,7 +117,7 @@ def _floor(bars, memory, i, place, turn, half_s, supports, ground_m_s2, weight_r
         put_where(memory.slid_m, i, slides, past - held / k)
     load = weight_ratio * bars.floor_load_n[i]
     elastic = 0.5 * held * held / k + bars.floor_load_n[i] * (z + rz - az)
-    push(pushed, own, 1.0, (-held, -load), (ry, rz))
+    push(pushed, body, 1.0, (-held, -load), (ry, rz))
     if mass > 0.0:
         speed = take(memory.speed_m_s, i) + half_s * take(memory.rate_m_s2, i)
         stretch, rate = take(memory.place_m, i) - behind, speed - take(supports.vy, at)
@@ -179,13 +179,13 @@ def advance(bars, memory, ahead_s, step_s):
             put(memory.place_m, i, take(memory.place_m, i) + step_s * speed)
 
 
-def of_scene(scene, own, column):
+def of_scene(scene, free, column):
     """Ties and floors of a scene on its free blocks.
 
     Parameters
     ----------
     scene : Scene
-    own : list of int
+    free : list of int
         The free blocks.
     column : dict of str to int
         Of each support's motion.
@@ -199,7 +199,7 @@ def of_scene(scene, own, column):
     ValueError
         One line if one does not hold a free block to a support.
     """
-    if any(bar.a not in own for bar in (*scene.ties, *scene.floors)):
+    if any(bar.a not in free for bar in (*scene.ties, *scene.floors)):
         raise ValueError("planar solver: ties and floors must hold the free block to a support")
     spring = {link.a: link for link in scene.links}
 
@@ -216,7 +216,7 @@ def of_scene(scene, own, column):
     ties, floors = scene.ties, scene.floors
     sprung = [spring.get(floor.b) for floor in floors]
     return Bars(
-        tie_body=values(ties, lambda x: own.index(x.a), np.int64),
+        tie_body=values(ties, lambda x: free.index(x.a), np.int64),
         tie_arm_m=places(ties, "end_a_m"),
         tie_end_m=places(ties, "end_b_m"),
         tie_support=values(ties, lambda x: support(x.b), np.int64),
@@ -224,7 +224,7 @@ def of_scene(scene, own, column):
         tie_k_n_m=values(ties, lambda x: x.stiffness_n_m),
         tie_capacity_n=values(ties, lambda x: x.capacity_n),
         tie_snap_m=values(ties, lambda x: x.elongation_m),
-        floor_body=values(floors, lambda x: own.index(x.a), np.int64),
+        floor_body=values(floors, lambda x: free.index(x.a), np.int64),
         floor_arm_m=places(floors, "position_m"),
         floor_support=np.array(
             [support(s.b if s else f.b) for f, s in zip(floors, sprung, strict=True)], np.int64
@@ -262,22 +262,22 @@ def elements(bars, supports, blocks=1):
     size = first + supports + masses.size
 
     def row(body, arm, along, other):
-        found = row_of(size, along, ((body, 1.0, arm),))
+        coefficients = row_of(size, along, ((body, 1.0, arm),))
         if other >= 0:
-            found[first + other] -= along[0]
-        return found
+            coefficients[first + other] -= along[0]
+        return coefficients
 
     def moving(j):
         return j if supports else -1
 
-    found: list[tuple] = []
+    springs: list[tuple] = []
     for i, arm in enumerate(bars.tie_arm_m):
         along = arm - bars.tie_end_m[i]
         along = along / np.linalg.norm(along)
         other = moving(bars.tie_support[i])
-        one = row(bars.tie_body[i], arm, along, other)
-        if not any(np.array_equal(one, -before) for _, _, before in found):
-            found.append((bars.tie_k_n_m[i], 0.0, one))
+        tie = row(bars.tie_body[i], arm, along, other)
+        if not any(np.array_equal(tie, -before) for _, _, before in springs):
+            springs.append((bars.tie_k_n_m[i], 0.0, tie))
     for i, arm in enumerate(bars.floor_arm_m):
         behind = moving(bars.floor_support[i])
         other = behind
@@ -287,8 +287,8 @@ def elements(bars, supports, blocks=1):
             spring[first + other] = 1.0
             if behind >= 0:
                 spring[first + behind] = -1.0
-            found.append((bars.spring_n_m[i], bars.dashpot_ns_m[i], spring))
+            springs.append((bars.spring_n_m[i], bars.dashpot_ns_m[i], spring))
         if bars.floor_capacity_n[i] > 0.0:
-            own = bars.floor_body[i]
-            found.append((bars.floor_k_n_m[i], 0.0, row(own, arm, (1.0, 0.0), other)))
-    return found
+            body = bars.floor_body[i]
+            springs.append((bars.floor_k_n_m[i], 0.0, row(body, arm, (1.0, 0.0), other)))
+    return springs

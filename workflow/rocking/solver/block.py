@@ -48,7 +48,7 @@ def contact(p, whole, parts, turning, time, alive, counts, spent):
     pose = take(parts.place, 0), take(parts.place, 1), cos, sin
     none = like(0.0, py)
     fy = fz = moment = elastic = lost = broken = none
-    own = none, none, none, none, none, none
+    damping = none, none, none, none, none, none
     for g in range(p.level_m.size):
         j = p.support[g] if p.support[g] >= 0 else len(supports.y) - 1
         sign, ny, nz, ry, rz, ey, ez, d0, d1 = _line(p, g, pose, supports, j, turning)
@@ -93,14 +93,14 @@ def contact(p, whole, parts, turning, time, alive, counts, spent):
             back = arm_y * gz - arm_z * gy + along_y * (sign * far_z) - along_z * (sign * far_y)
             put(supports.moment, j, take(supports.moment, j) - back)
         dashpots = p.beta_s[g], p.shear_ratio[g]
-        own = added(own, (ry, rz, ey, ez), (ny, nz, ty, tz), (across, along), dashpots)
+        damping = added(damping, (ry, rz, ey, ez), (ny, nz, ty, tz), (across, along), dashpots)
     put(parts.turn, 0, cos)
     put(parts.turn, 1, sin)
     for m, value in enumerate((py, pz, pt)):
         put(parts.now, m, value)
     for m, value in enumerate((fy, fz, moment)):
         put(parts.force, m, value)
-    for m, value in enumerate(own):
+    for m, value in enumerate(damping):
         put(parts.own, m, value)
     return elastic, spent + lost, broken
 
@@ -120,9 +120,9 @@ def accelerate(p, parts, half, ag, gravity):
     (M + ½h C) a = f − M·(field, 0) + ½h C a⁻, since `force` has them at the velocity that the
     last acceleration a⁻ predicts; C by its entries 00, 01, 02, 11, 12, 22.
     """
-    own, rise, force, push, mass = parts.own, parts.rise, parts.force, parts.push, p.mass_kg
-    c00, c01, c02 = take(own, 0), take(own, 1), take(own, 2)
-    c11, c12, c22 = take(own, 3), take(own, 4), take(own, 5)
+    damping, rise, force, push, mass = parts.own, parts.rise, parts.force, parts.push, p.mass_kg
+    c00, c01, c02 = take(damping, 0), take(damping, 1), take(damping, 2)
+    c11, c12, c22 = take(damping, 3), take(damping, 4), take(damping, 5)
     ay, az, at = take(rise, 0), take(rise, 1), take(rise, 2)
     fy, fz = take(force, 0) + take(push, 0), take(force, 1) + take(push, 1)
     moment = take(force, 2) + take(push, 2)
@@ -166,11 +166,11 @@ def march_block(given, rows, scratch, every, series, weight):
 
 
 @looped
-def march_blocks(given, memory, scratch, case, motion, found):
+def march_blocks(given, memory, scratch, case, motion, outcomes):
     """Histories of a `Planar` side by side, see `march.march_many`."""
     align_stack()
     march_many(
-        (contact, accelerate, monitor, energies), given, memory, scratch, case, motion, found
+        (contact, accelerate, monitor, energies), given, memory, scratch, case, motion, outcomes
     )
 
 

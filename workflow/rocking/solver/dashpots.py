@@ -9,12 +9,12 @@ from .vectors import choose, dot, less_dot, like, minus, plus, put, take
 
 
 @inlined
-def solved(own, mass, inertia, free, force):
+def solved(damping, mass, inertia, free, force):
     """Accelerations (M + C)⁻¹·f of one block, of those of its freedoms that it has.
 
     C by its entries 00, 01, 02, 11, 12, 22; for one number and for lanes of them.
     """
-    c00, c01, c02, c11, c12, c22 = own
+    c00, c01, c02, c11, c12, c22 = damping
     y, z, turn = free
     f0, f1, f2 = choose(y, force[0], 0.0), choose(z, force[1], 0.0), choose(turn, force[2], 0.0)
     c01, c02, c12 = choose(y & z, c01, 0.0), choose(y & turn, c02, 0.0), choose(z & turn, c12, 0.0)
@@ -30,24 +30,24 @@ def solved(own, mass, inertia, free, force):
 
 
 @inlined
-def damp(own, block, y, z, arm, dashpot):
+def damp(damping, block, y, z, arm, dashpot):
     """Add a dashpot along (y, z); `arm` is its place times that direction."""
     cy, cz, ct, at = dashpot * y, dashpot * z, dashpot * arm, 6 * block
-    put(own, at, take(own, at) + cy * y)
-    put(own, at + 1, take(own, at + 1) + cy * z)
-    put(own, at + 2, take(own, at + 2) + cy * arm)
-    put(own, at + 3, take(own, at + 3) + cz * z)
-    put(own, at + 4, take(own, at + 4) + cz * arm)
-    put(own, at + 5, take(own, at + 5) + ct * arm)
+    put(damping, at, take(damping, at) + cy * y)
+    put(damping, at + 1, take(damping, at + 1) + cy * z)
+    put(damping, at + 2, take(damping, at + 2) + cy * arm)
+    put(damping, at + 3, take(damping, at + 3) + cz * z)
+    put(damping, at + 4, take(damping, at + 4) + cz * arm)
+    put(damping, at + 5, take(damping, at + 5) + ct * arm)
 
 
 @inlined
 def couple(between, low, y, z, arm_low, arm_high, dashpot):
     """Add what a dashpot along (y, z) does between block `low` and the next, C of the two."""
-    for m, one in enumerate((y, z, arm_low)):
-        for n, other in enumerate((y, z, arm_high)):
+    for m, of_low in enumerate((y, z, arm_low)):
+        for n, of_high in enumerate((y, z, arm_high)):
             at = 9 * low + 3 * m + n
-            put(between, at, take(between, at) - dashpot * one * other)
+            put(between, at, take(between, at) - dashpot * of_low * of_high)
 
 
 @inlined
@@ -102,9 +102,9 @@ def rates(parts, block, arm, past_s):
 
 
 @inlined
-def apart(parts, block, arm, past_s, own):
+def apart(parts, block, arm, past_s, point):
     """Such rates of another point, less those of the block's."""
-    (by, bz), at, (ry, rz, gy, gz) = arm, 3 * block, own
+    (by, bz), at, (ry, rz, gy, gz) = arm, 3 * block, point
     spin, turn = take(parts.now, at + 2), take(parts.rate, at + 2)
     ry, rz = ry - take(parts.now, at), rz - take(parts.now, at + 1)
     gy = minus(gy, past_s, minus(take(parts.rate, at), turn, bz))
@@ -167,18 +167,18 @@ def _keep(rows, first, values):
 
 
 @inlined
-def solve_row(own, between, inverse, mass, inertia, force):
+def solve_row(damping, between, inverse, mass, inertia, force):
     """Solve (M + C)·a = f of blocks in a row in place, by blocks of 3 from the first to the last.
 
-    C by `own`, six rows a block, and `between`, nine that join each block to the next; `inverse`:
-    room for six rows a block.
+    C by `damping`, six rows a block, and `between`, nine that join each block to the next;
+    `inverse`: room for six rows a block.
     """
     last = mass.size - 1
     none = like(0.0, take(force, 0))
     solved_to = (none, none, none, none, none, none), (none, none, none)
     for i in range(last + 1):
         to, low = 6 * i, 9 * (i - 1)
-        (c00, c01, c02), (c11, c12, c22) = three(own, to, 1), three(own, to + 3, 1)
+        (c00, c01, c02), (c11, c12, c22) = three(damping, to, 1), three(damping, to + 3, 1)
         matrix = mass[i] + c00, c01, c02, mass[i] + c11, c12, inertia[i] + c22
         block = matrix, three(force, 3 * i, 1)
         if i > 0:

@@ -93,11 +93,11 @@ def _coupled(between, low, directions, sums, size):
     line's origin, and how both grow along the line; `sums`: of each Σ k·(1, s, s²).
     """
     for which in range(2):
-        (y, z), (one, other, more) = directions[which]
+        (y, z), (arm_low, arm_high, more) = directions[which]
         k0, k1, k2 = sums[which]
         dashpot = size[which]
-        of_low, of_high = one * k0 + more * k1, other * k0 + more * k1
-        both = one * of_high + more * (other * k1 + more * k2)
+        of_low, of_high = arm_low * k0 + more * k1, arm_high * k0 + more * k1
+        both = arm_low * of_high + more * (arm_high * k1 + more * k2)
         entries = (
             (y * y * k0, y * z * k0, y * of_high),
             (z * y * k0, z * z * k0, z * of_high),
@@ -168,13 +168,13 @@ def _add_dashpots(parts, ends, direction, k0, levers, moments, spread):
     for end in range(2):
         block, mine = (a, b)[end], moments[end]
         if block >= 0:
-            own, at = parts.own, 6 * block
-            put(own, at, plus(take(own, at), y, yk))
-            put(own, at + 1, plus(take(own, at + 1), y, zk))
-            put(own, at + 2, plus(take(own, at + 2), y, mine))
-            put(own, at + 3, plus(take(own, at + 3), z, zk))
-            put(own, at + 4, plus(take(own, at + 4), z, mine))
-            put(own, at + 5, plus(take(own, at + 5) + spread[end], levers[end], mine))
+            damping, at = parts.own, 6 * block
+            put(damping, at, plus(take(damping, at), y, yk))
+            put(damping, at + 1, plus(take(damping, at + 1), y, zk))
+            put(damping, at + 2, plus(take(damping, at + 2), y, mine))
+            put(damping, at + 3, plus(take(damping, at + 3), z, zk))
+            put(damping, at + 4, plus(take(damping, at + 4), z, mine))
+            put(damping, at + 5, plus(take(damping, at + 5) + spread[end], levers[end], mine))
     if a >= 0 and b >= 0:
         low, of_low, of_high = (a, *moments) if a < b else (b, moments[1], moments[0])
         between, at = parts.between, 9 * low
@@ -197,18 +197,21 @@ def resist(parts, joint, turns, sums, dashpots):
     for end in range(2):
         block = (a, b)[end]
         if block >= 0:
-            own, at = parts.own, 6 * block
-            yy, yz, yt = take(own, at), take(own, at + 1), take(own, at + 2)
-            had = yy, yz, yt, take(own, at + 3), take(own, at + 4), take(own, at + 5)
+            damping, at = parts.own, 6 * block
+            yy, yz, yt = take(damping, at), take(damping, at + 1), take(damping, at + 2)
+            had = yy, yz, yt, take(damping, at + 3), take(damping, at + 4), take(damping, at + 5)
             where = *arms[end], *along
             for m, value in enumerate(added(had, where, (ny, nz, ty, tz), sums, dashpots)):
-                put(own, at + m, value)
+                put(damping, at + m, value)
     if a >= 0 and b >= 0:
         (ry, rz), (by, bz) = arms
         of_a, of_b = (
             (nz * ry - ny * rz, tz * ry - ty * rz),
             (nz * by - ny * bz, tz * by - ty * bz),
         )
-        low, one, other = (a, of_a, of_b) if a < b else (b, of_b, of_a)
-        both = ((ny, nz), (one[0], other[0], turns[0])), ((ty, tz), (one[1], other[1], turns[1]))
+        low, of_low, of_high = (a, of_a, of_b) if a < b else (b, of_b, of_a)
+        both = (
+            ((ny, nz), (of_low[0], of_high[0], turns[0])),
+            ((ty, tz), (of_low[1], of_high[1], turns[1])),
+        )
         _coupled(parts.between, low, both, sums, (beta, beta * ratio))

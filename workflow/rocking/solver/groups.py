@@ -35,7 +35,7 @@ class Touch(NamedTuple):
 
 def grouped(nodes, centre):
     """Node numbers by group: whole joints where they are straight and uniform, else single."""
-    found = []
+    groups = []
     for joint in np.unique(nodes.joint):
         mine = np.flatnonzero(nodes.joint == joint)
         place, line = line_of(nodes, centre, mine)
@@ -46,10 +46,10 @@ def grouped(nodes, centre):
         alike = all(np.ptp(law[mine]) <= 1e-12 * np.abs(law[mine]).max() for law in laws)
         one_normal = np.ptp(nodes.normal[mine], axis=0).max() < 1e-12
         if alike and one_normal and straight.max() < LEVEL_M and np.ptp(level) < LEVEL_M:
-            found.append(mine[np.argsort(place, kind="stable")])
+            groups.append(mine[np.argsort(place, kind="stable")])
         else:
-            found.extend(mine[:, None])
-    return found
+            groups.extend(mine[:, None])
+    return groups
 
 
 def _points(nodes, centre, mine):
@@ -126,8 +126,8 @@ def spread(p, touch, g, mask):
     put_where(touch.summed, g, mask, 0.0)
     more0, more1 = take(touch.more0, g), take(touch.more1, g)
     for i in range(p.first[g], p.first[g + 1]):
-        own = take(touch.slip, i)
-        put(touch.slip, i, choose(mask, own + (more0 + more1 * p.place_m[i]), own))
+        slip = take(touch.slip, i)
+        put(touch.slip, i, choose(mask, slip + (more0 + more1 * p.place_m[i]), slip))
 
 
 @inlined

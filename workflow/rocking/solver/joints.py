@@ -88,12 +88,12 @@ def _each(p, touch, g, touches, before, bound, lines, dt, sums):
 
 
 @inlined
-def added(own, arms, directions, sums, dashpots):
+def added(damping, arms, directions, sums, dashpots):
     """Dashpots of a group added to those of the block, ∂(force)/∂(rates).
 
     Rows (direction, arm × direction), with the arm linear in s.
     """
-    c00, c01, c02, c11, c12, c22 = own
+    c00, c01, c02, c11, c12, c22 = damping
     ry, rz, ey, ez = arms
     ny, nz, ty, tz = directions
     (u0, u1, u2), (w0, w1, w2) = sums

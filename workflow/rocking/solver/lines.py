@@ -81,7 +81,7 @@ def lines_of(scene, even, number, column):
         Of each motion.
     """
     nodes, blocks = scene.nodes, scene.blocks
-    found: dict[str, list] = {name: [] for name in Lines._fields}
+    by_field: dict[str, list] = {name: [] for name in Lines._fields}
     taken = np.zeros(len(nodes), bool)
     for j, name in enumerate(scene.joints):
         at = np.flatnonzero(nodes.joint == j)
@@ -94,14 +94,14 @@ def lines_of(scene, even, number, column):
         (low, high), gap_m = places[ends], nodes.gap_m[at[ends]]
         length, middle = np.linalg.norm(high - low), 0.5 * (low + high)
         normal = nodes.normal[first, 1:]
-        own, other = blocks[nodes.a[first]], blocks[nodes.b[first]]
+        block, other = blocks[nodes.a[first]], blocks[nodes.b[first]]
         stands = number[nodes.b[first]] < 0
         from_b = 0.0 if stands else np.array(other.centre_m[1:])
         row = {
             "body_a": number[nodes.a[first]],
             "body_b": number[nodes.b[first]],
             "support": column.get(other.motion, -1) if stands else -1,
-            "origin_m": middle - own.centre_m[1:],
+            "origin_m": middle - block.centre_m[1:],
             "along": (high - low) / length,
             "normal": normal,
             "level_m": normal @ (middle - from_b) - 0.5 * gap_m.sum(),
@@ -111,10 +111,10 @@ def lines_of(scene, even, number, column):
             "edge_m": (),  # `in_parts` has them
             "second_m3": (),
         }
-        for key, values in found.items():
+        for key, values in by_field.items():
             values.append(row[key])
     whole = ("body_a", "body_b", "support")
-    columns = {key: np.array(v, np.int64 if key in whole else float) for key, v in found.items()}
+    columns = {key: np.array(v, np.int64 if key in whole else float) for key, v in by_field.items()}
     for key in ("origin_m", "along", "normal"):
         columns[key] = columns[key].reshape(-1, 2)
     return in_parts(Lines(**columns), PARTS), taken
@@ -182,13 +182,13 @@ def _closing(depths, before, shut, press, half):
     more_high = more_high - 0.5
     of_low, of_high = max(h0 + h1 * low, 0.0), max(h0 + h1 * high, 0.0)
     length = choose(ends, max(high - low, 0.0), 0.0)
-    one, both, other = (
+    low_part, both, high_part = (
         more_low * of_low,
         more_low * of_high + more_high * of_low,
         more_high * of_high,
     )
-    normal = length * (2.0 * one + both + 2.0 * other) / 6.0
-    first = length * length * (one + both + 3.0 * other) / 12.0
+    normal = length * (2.0 * low_part + both + 2.0 * high_part) / 6.0
+    first = length * length * (low_part + both + 3.0 * high_part) / 12.0
     return normal, low * normal + first
 
 

@@ -211,17 +211,17 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
 
 
 @inlined
-def _gathered(memory, case, chunks, found):
+def _gathered(memory, case, chunks, outcomes):
     """Take over what ended, see `march_many`; fit what goes on into fewer chunks: how many."""
     left = 0
     for c in range(chunks):
         for lane in range(WIDTH):
             i = case[c, lane]
             if i >= 0 and memory[c, ALIVE, lane] == 0.0:
-                found[i, 0], found[i, 1] = memory[c, STATUS, lane], memory[c, END, lane]
-                spans = memory.shape[1] - found.shape[1]
-                for row in range(2, found.shape[1]):
-                    found[i, row] = memory[c, spans + row, lane]
+                outcomes[i, 0], outcomes[i, 1] = memory[c, STATUS, lane], memory[c, END, lane]
+                spans = memory.shape[1] - outcomes.shape[1]
+                for row in range(2, outcomes.shape[1]):
+                    outcomes[i, row] = memory[c, spans + row, lane]
                 case[c, lane] = -1
             left += case[c, lane] >= 0
     fewer = (left + WIDTH - 1) // WIDTH
@@ -240,7 +240,7 @@ def _gathered(memory, case, chunks, found):
 
 
 @inlined
-def march_many(what, given, memory, scratch, case, motion, found):
+def march_many(what, given, memory, scratch, case, motion, outcomes):
     """Advance histories side by side until rules have ended them all.
 
     Parameters
@@ -252,21 +252,21 @@ def march_many(what, given, memory, scratch, case, motion, found):
         Which history a lane has; −1: none.
     motion : ndarray of int, shape (histories,)
         Which of the samples drive each.
-    found : ndarray, shape (histories, 2 + spans)
+    outcomes : ndarray, shape (histories, 2 + spans)
         Gets status, end [s], and the largest |d| of each span [m].
     """
     table = given[3]
-    own = table.samples.begin.size > 2
+    several = table.samples.begin.size > 2
     k, chunks = 0, len(case)
     while chunks > 0:
         for c in range(chunks):
-            if own:
+            if several:
                 to_lanes(table, motion, case[c], k)
-            span, base = (k, k + STRIDE), k if own else 0
+            span, base = (k, k + STRIDE), k if several else 0
             # of lanes no series is written
-            advance(what, given, memory[c], scratch, span, base, 1, found, (0.0, 0.0, 0.0))
+            advance(what, given, memory[c], scratch, span, base, 1, outcomes, (0.0, 0.0, 0.0))
         k += STRIDE
-        chunks = _gathered(memory, case, chunks, found)
+        chunks = _gathered(memory, case, chunks, outcomes)
 
 
 class Loop(NamedTuple):
@@ -291,10 +291,10 @@ class Loop(NamedTuple):
 def _begun(p, state, bodies, samples, spans):
     """Rows of a history before its first step, and room for a step; the case is still missing."""
     start = p.start.reshape(-1, 6)
-    own = np.zeros(HISTORY + sum(_shape(p, bodies, samples)))
-    own[ALIVE] = 1.0
+    head = np.zeros(HISTORY + sum(_shape(p, bodies, samples)))
+    head[ALIVE] = 1.0
     places, rates, rises = start[:, :3].ravel(), start[:, 3:].ravel(), np.zeros(3 * len(start))
-    rows = np.concatenate((own, places, rates, rises, state, np.zeros(spans)))
+    rows = np.concatenate((head, places, rates, rises, state, np.zeros(spans)))
     return rows, SCRATCH * len(start)
 
 
@@ -352,8 +352,8 @@ def one(loop, p, shaken, i, every, series):
     rows[FACTOR : LAST + 1] = shaken.cases[i]
     given = p, whole, shaken.bodies, table, shaken.rules
     written, broken = loop.one(given, rows, np.zeros(room), every, series, weight)
-    found = np.concatenate((rows[[STATUS, END]], rows[rows.size - shaken.rules.spans :]))
-    return found, written, broken
+    outcome = np.concatenate((rows[[STATUS, END]], rows[rows.size - shaken.rules.spans :]))
+    return outcome, written, broken
 
 
 def many(loop, p, shaken):
@@ -369,8 +369,8 @@ def many(loop, p, shaken):
     filled = np.concatenate((cases, np.zeros((chunks * WIDTH - count, cases.shape[1]))))
     filled = filled.reshape(chunks, WIDTH, -1)
     memory[:, FACTOR : LAST + 1] = filled.transpose(0, 2, 1)
-    found = np.zeros((count, 2 + shaken.rules.spans))
+    outcomes = np.zeros((count, 2 + shaken.rules.spans))
     case = np.where(places < count, places, -1)
     given = p, whole, shaken.bodies, table, shaken.rules
-    loop.many(given, memory, rows_of_lanes(room), case, shaken.which, found)
-    return found
+    loop.many(given, memory, rows_of_lanes(room), case, shaken.which, outcomes)
+    return outcomes

@@ -183,16 +183,16 @@ def _fill(samples, first, time_s, ground, vertical, supports):
 
 def samples_of(motions, supports):
     """`Samples` of some motions; `supports`: whether theirs are wanted too."""
-    begin = np.cumsum([0, *(one.time_s.size for one in motions)])
+    begin = np.cumsum([0, *(motion.time_s.size for motion in motions)])
     if len(motions) == 1:
         return Samples(begin, *motions[0].arrays(supports))
     size, count = begin[-1], len(motions[0].supports_m_s2) if supports else 0
     shapes = (size, (size, 2), (size, 2), *((size, count),) * 4)
-    found = Samples(begin, *map(np.empty, shapes))
-    for first, one in zip(begin[:-1], motions, strict=True):
-        rows = one.time_s, one.ground_m_s2, one.vertical_m_s2, one.supports_m_s2
-        _fill(found, first, *map(np.ascontiguousarray, rows))
-    return found
+    samples = Samples(begin, *map(np.empty, shapes))
+    for first, motion in zip(begin[:-1], motions, strict=True):
+        rows = motion.time_s, motion.ground_m_s2, motion.vertical_m_s2, motion.supports_m_s2
+        _fill(samples, first, *map(np.ascontiguousarray, rows))
+    return samples
 
 
 def last_step(motions, step_s):
@@ -267,10 +267,10 @@ def to_lanes(table, motion, histories, first):
     """
     near, width = table.near, len(histories)
     for lane in range(width):
-        own = motion[max(histories[lane], 0)]
-        if table.from_step[own] != first:
-            table.from_step[own] = first
-            tabulate(table, own, first, STRIDE)
+        which = motion[max(histories[lane], 0)]
+        if table.from_step[which] != first:
+            table.from_step[which] = first
+            tabulate(table, which, first, STRIDE)
     for at in range(near.shape[1]):
         for lane in range(width):
             table.flat[at * width + lane] = near[motion[max(histories[lane], 0)], at]

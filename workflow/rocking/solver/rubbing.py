@@ -194,18 +194,18 @@ def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
         slid = none
         for part in range(begin, begin + SOME):
             at = first + SLIP + part
-            one, two = lines.edge_m[i, part], lines.edge_m[i, part + 1]
+            part_low, part_high = lines.edge_m[i, part], lines.edge_m[i, part + 1]
             if even:  # each part keeps its slip as it is
-                start, stop = like(one, h0), like(two, h0)
+                start, stop = like(part_low, h0), like(part_high, h0)
                 had, grows = take(rows, at), False
-                shut, share = pressed, choose(pressed, two - one, 0.0)
+                shut, share = pressed, choose(pressed, part_high - part_low, 0.0)
             else:
-                start, stop = max(low, one), min(high, two)
+                start, stop = max(low, part_low), min(high, part_high)
                 shut = mine & (stop > start)
                 had, share = take(rows, at), choose(shut, stop - start, 0.0)
                 before, grows = share, False
                 if widens:
-                    before = max(min(high_then, two) - max(low_then, one), 0.0)
+                    before = max(min(high_then, part_high) - max(low_then, part_low), 0.0)
                     grows = some(before < share)
                 if counts:
                     loss += 0.5 * ratio * before * had * had

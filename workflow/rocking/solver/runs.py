@@ -107,12 +107,14 @@ def stable_step(planar, carried=NO_BODIES, lead=0.0):
     if isinstance(planar, Stack):
         mass, k, c, block = stack_matrices(planar, supports)
         pieces, free = block < len(planar.mass_kg), int(planar.free.sum())
-        own = pieces[:, None] & pieces if planar.in_row else (block[:, None] == block) & pieces
+        of_blocks = (
+            pieces[:, None] & pieces if planar.in_row else (block[:, None] == block) & pieces
+        )
         more = []
     else:
         mass, k, c = matrices(planar, supports)
-        free, own = 3, np.arange(mass.size) < 3
-        own = own[:, None] & own
+        free, of_blocks = 3, np.arange(mass.size) < 3
+        of_blocks = of_blocks[:, None] & of_blocks
         more = [rows if len(rows) else 0.0 * carried.hang for rows in (carried.lift, carried.roll)]
     floors = mass.size - free
     # rows: the blocks, supports along y, floors, supports along z, their rotations; columns:
@@ -124,7 +126,7 @@ def stable_step(planar, carried=NO_BODIES, lead=0.0):
     k[free : free + n, free : free + n] += carried.k_n_m
     c[free : free + n, free : free + n] += carried.c_n_s_m
     alone = np.zeros(k.shape, bool)
-    alone[:free, :free] = own[:free, :free]
+    alone[:free, :free] = of_blocks[:free, :free]
     return _largest_step(mass, k, c, alone, lead)
 
 
@@ -142,14 +144,14 @@ def fitted(planar, carried, step_s):
 
 def _largest_step(mass, k, c, alone, lead=0.0):
     """Stable step of `stable_step` by matrices; `alone` masks C₁ in C and K₁ in K."""
-    own, one = np.where(alone, c, 0.0), np.eye(len(c))
+    c_alone, eye = np.where(alone, c, 0.0), np.eye(len(c))
     ahead = 0.5 * lead * np.where(alone, k, 0.0)
 
     def stable(h):
-        a = np.hstack((-k, -c, -0.5 * h * (c - own)))
-        a = np.linalg.solve(mass + 0.5 * h * own + h * h * ahead, a)
-        v = np.hstack((0 * one, one, 0 * one)) + h * a
-        x = np.hstack((one, 0 * one, 0 * one)) + h * v
+        a = np.hstack((-k, -c, -0.5 * h * (c - c_alone)))
+        a = np.linalg.solve(mass + 0.5 * h * c_alone + h * h * ahead, a)
+        v = np.hstack((0 * eye, eye, 0 * eye)) + h * a
+        x = np.hstack((eye, 0 * eye, 0 * eye)) + h * v
         return np.abs(np.linalg.eigvals(np.vstack((x, v, a)))).max() <= 1.0 + 1e-9
 
     low, high = 0.0, 2.0 / math.sqrt(np.abs(np.linalg.eigvals(np.linalg.solve(mass, k))).max())
@@ -202,14 +204,16 @@ def _set_up(planar, motions, numerics, factors, carried, step_s):
     if isinstance(planar, Stack) and (len(carried.lift) or len(carried.roll)):
         raise ValueError("planar solver: supports of several blocks move along y alone")
     factors = np.ravel(np.asarray(factors, float))
-    if own := isinstance(motions, Motions):
+    if shared := isinstance(motions, Motions):
         motions = [motions]
     elif len(motions) != factors.size:
         raise ValueError(f"planar solver: {factors.size} factors, and {len(motions)} motions")
-    known = {id(one): one for one in motions}
+    known = {id(motion): motion for motion in motions}
     places = {key: place for place, key in enumerate(known)}
-    which = np.array([0] * factors.size if own else [places[id(one)] for one in motions], int)
-    wanted, counts = _supports_of(planar), {len(one.supports_m_s2) for one in motions}
+    which = np.array(
+        [0] * factors.size if shared else [places[id(motion)] for motion in motions], int
+    )
+    wanted, counts = _supports_of(planar), {len(motion.supports_m_s2) for motion in motions}
     given = len(carried.hang) or min(counts, default=wanted)
     if wanted > given:
         raise ValueError(f"planar solver: the scene has {wanted} moving supports, got {given}")
@@ -220,9 +224,9 @@ def _set_up(planar, motions, numerics, factors, carried, step_s):
     step = float(step_s or STEP_FRACTION * stable_step(planar, carried))
     cases = np.zeros((factors.size, 6))
     cases[:, 0] = factors
-    for place, one in enumerate(known.values()):
+    for place, motion in enumerate(known.values()):
         mine = which == place
-        cases[mine, 1:] = limits(planar, one, numerics, factors[mine], step)
+        cases[mine, 1:] = limits(planar, motion, numerics, factors[mine], step)
     rules = Rules(
         float(numerics["overturn_ratio"] * planar.thickness_m),
         REST_RATIO * planar.thickness_m,
@@ -272,8 +276,8 @@ def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None,
     supports = shaken.bodies.mass_kg.size or len(motions.supports_m_s2)
     count = int(shaken.cases[0, march.LIMIT - march.FACTOR]) // every + 1
     rows = np.zeros((count, COLUMNS + 2 * supports))
-    found, written, broken = march.one(_loop(planar), planar, shaken, 0, every, rows)
-    (status, end), peak = found[:2], found[2:].max()
+    outcome, written, broken = march.one(_loop(planar), planar, shaken, 0, every, rows)
+    (status, end), peak = outcome[:2], outcome[2:].max()
     rows = rows[:written]
     return Series(
         rows[:, 0],
@@ -350,37 +354,37 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
     """
     shaken = _set_up(planar, motions, numerics, factors, carried, step_s)
     loop, count = _loop(planar), len(shaken.cases)
-    found = np.zeros((count, 2 + shaken.rules.spans))
+    outcomes = np.zeros((count, 2 + shaken.rules.spans))
     # those that last as long go together: a vector takes as long as its longest
     turns = np.argsort(shaken.cases[:, march.LIMIT - march.FACTOR], kind="stable")
     for first in range(0, count, AT_ONCE):
         some = turns[first : first + AT_ONCE]
         if _beside(loop, count):
-            found[some] = march.many(loop, planar, shaken.some(some))
+            outcomes[some] = march.many(loop, planar, shaken.some(some))
         else:
             none = np.zeros((0, COLUMNS))
-            found[some] = [march.one(loop, planar, shaken, i, 1, none)[0] for i in some]
-    status, end, spans = found[:, 0], found[:, 1], found[:, 2:] / planar.thickness_m
+            outcomes[some] = [march.one(loop, planar, shaken, i, 1, none)[0] for i in some]
+    status, end, spans = outcomes[:, 0], outcomes[:, 1], outcomes[:, 2:] / planar.thickness_m
     failed = status == FAILED
     ratio = np.where(failed, np.nan, spans.max(axis=1))
     fell, factors = status == OVERTURNED, shaken.cases[:, 0]
-    own = Peaks(factors, ratio, fell, failed, end, shaken.step_s, spans)
+    seen = Peaks(factors, ratio, fell, failed, end, shaken.step_s, spans)
     if (brief := numerics.get("brief")) is None:
-        return own
-    near = np.flatnonzero(_lingers(own, brief))
+        return seen
+    near = np.flatnonzero(_lingers(seen, brief))
     if not near.size:
-        return own
+        return seen
     theirs = motions if isinstance(motions, Motions) else [motions[k] for k in near]
     whole = {"carried": carried, "step_s": shaken.step_s}
     again = peaks(planar, theirs, {**numerics, "brief": None}, factors[near], **whole)
-    return own.with_others(near, again)
+    return seen.with_others(near, again)
 
 
-def _lingers(found, brief):
+def _lingers(seen, brief):
     """Mask of histories that a `Brief` ended while they still moved."""
-    last = np.rint(found.end_s / found.step_s).astype(int) // steps_of(found.step_s)
-    last, rows = np.minimum(last, found.spans.shape[1] - 1), np.arange(len(last))
-    late = np.maximum(found.spans[rows, last], found.spans[rows, np.maximum(last - 1, 0)])
-    peak = found.spans.max(axis=1)
+    last = np.rint(seen.end_s / seen.step_s).astype(int) // steps_of(seen.step_s)
+    last, rows = np.minimum(last, seen.spans.shape[1] - 1), np.arange(len(last))
+    late = np.maximum(seen.spans[rows, last], seen.spans[rows, np.maximum(last - 1, 0)])
+    peak = seen.spans.max(axis=1)
     moves = (late > brief.still) | ((late > brief.swings) & (late > 0.5 * peak))
-    return ~found.overturned & ~found.failed & moves
+    return ~seen.overturned & ~seen.failed & moves

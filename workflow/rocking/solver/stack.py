@@ -71,14 +71,14 @@ def pose(block):
     return np.array([*block.displacement_m[1:], turned, *block.velocity_m_s[1:], turns], float)
 
 
-def stacked(scene, own, column, bars):
+def stacked(scene, free, column, bars):
     """Reduce a scene with several free blocks, see `plane.to_plane`.
 
-    `own` are these, the façade or its lowest piece first; `column` is that of each motion.
+    `free` are these, the façade or its lowest piece first; `column` is that of each motion.
     """
     nodes, blocks = scene.nodes, scene.blocks
     number = np.full(len(blocks), -1, np.int64)
-    number[own] = np.arange(len(own))
+    number[free] = np.arange(len(free))
     a, b = number[nodes.a], number[nodes.b]
     if np.any((a < 0) & (b < 0)):
         raise ValueError("planar solver: every node of several blocks must meet a free one")
@@ -87,17 +87,17 @@ def stacked(scene, own, column, bars):
         raise ValueError("planar solver: expected links along y")
     in_row = bool(
         not links
-        and all(set(FREEDOMS) <= set(blocks[i].free) and blocks[i].motion is None for i in own)
+        and all(set(FREEDOMS) <= set(blocks[i].free) and blocks[i].motion is None for i in free)
         and np.all((a < 0) | (b < 0) | (np.abs(a - b) == 1))
     )
     beta = nodes.beta_s[0]
     even = in_row and np.all(nodes.beta_s == beta) and scene.notes.get("even", ())
-    heights = [blocks[i].size_m[2] for i in own]
+    heights = [blocks[i].size_m[2] for i in free]
     lines, summed = lines_of(scene, even or (), number, column)
     grouped = in_row & ~summed
     grouped &= np.all(nodes.drag[grouped] == 1.0)
     return Stack(
-        **_of_blocks(scene, own, number, column),
+        **_of_blocks(scene, free, number, column),
         **_of_nodes(scene, nodes.select(~summed & ~grouped), number, column),
         link_a=np.array([number[link.a] for link in links], np.int64),
         link_b=np.array([number[link.b] for link in links], np.int64),
@@ -117,9 +117,9 @@ def stacked(scene, own, column, bars):
     )
 
 
-def _of_blocks(scene, own, number, column):
+def _of_blocks(scene, free, number, column):
     """Fields of a `Stack` that are of its blocks and of its watched points."""
-    mine, debris = [scene.blocks[i] for i in own], scene.notes.get("debris", ())
+    mine, debris = [scene.blocks[i] for i in free], scene.notes.get("debris", ())
     watched = [(scene.index(name), point) for name, point in scene.watched]
     arms = [np.subtract(point, scene.blocks[i].centre_m)[1:] for i, point in watched]
     return {
@@ -175,11 +175,11 @@ def _of_nodes(scene, nodes, number, column):
 def matrices_of(size, springs):
     """Stiffness and damping by (row, stiffness, two factors of the dashpot) of each spring."""
     k, c = np.zeros((2, size, size))
-    for row, stiffness, (one, other) in springs:
+    for row, stiffness, (factor, other) in springs:
         touched = np.flatnonzero(row)
         at, element = np.ix_(touched, touched), np.outer(row[touched], row[touched])
         k[at] += stiffness * element
-        c[at] += one * (other * element)
+        c[at] += factor * (other * element)
     return k, c
 
 
@@ -194,15 +194,18 @@ def stack_matrices(stack, supports=0):
     floors = p.bars.mass_kg[p.bars.mass_kg > 0.0]
     size = 3 * n + supports + floors.size
 
-    def between(one, i, place, kn, drag):
-        ny, nz = one.normal[i]
-        sides = (one.body_a[i], 1.0), (one.body_b[i], -1.0)
+    def between(contacts, i, place, kn, drag):
+        ny, nz = contacts.normal[i]
+        sides = (contacts.body_a[i], 1.0), (contacts.body_b[i], -1.0)
         ends = [(m, sign, place - p.centre_m[m]) for m, sign in sides if m >= 0]
-        for (y, z), ratio, share in (((ny, nz), 1.0, 1.0), ((-nz, ny), one.shear_ratio[i], drag)):
+        for (y, z), ratio, share in (
+            ((ny, nz), 1.0, 1.0),
+            ((-nz, ny), contacts.shear_ratio[i], drag),
+        ):
             row = row_of(size, (y, z), ends)
-            if supports and one.support[i] >= 0:
-                row[3 * n + one.support[i]] = y if one.body_a[i] < 0 else -y
-            yield row, ratio * kn, (1.0, one.beta_s[i] * share * ratio * kn)
+            if supports and contacts.support[i] >= 0:
+                row[3 * n + contacts.support[i]] = y if contacts.body_a[i] < 0 else -y
+            yield row, ratio * kn, (1.0, contacts.beta_s[i] * share * ratio * kn)
 
     def springs():
         node = p.arm_a_m + np.where((p.body_a >= 0)[:, None], p.centre_m[p.body_a], 0.0)

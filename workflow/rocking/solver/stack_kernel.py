@@ -271,8 +271,8 @@ def accelerate(p, parts, half, ag, gravity):
     matrix, (M + ½h late C + ½·lead·h²K)·a = F(x, v*) + ½h (late − 2 lead) C·a⁻ with
     v* = v⁻ + (½ − lead)h a⁻, at twice the lead Newmark's β. Supports feel what blocks feel.
     """
-    own, rise, force, nodes = parts.own, parts.rise, parts.force, _nodes(p, parts.nodes)
-    before = 1.0  # the dashpots' part of what stands in `own`
+    damping, rise, force, nodes = parts.own, parts.rise, parts.force, _nodes(p, parts.nodes)
+    before = 1.0  # the dashpots' part of what stands in `damping`
     if p.lead > 0.0 and half > 0.0:
         known = p.late - 2.0 * p.lead  # of the last acceleration in the rate at which they act
         before = known * p.beta / (p.late * p.beta + 2.0 * p.lead * half)
@@ -284,9 +284,13 @@ def accelerate(p, parts, half, ag, gravity):
         mass, inertia = p.mass_kg[i], p.inertia_kg_m2[i]
         y, z = before * take(rise, at), before * take(rise, at + 1)
         turn = before * take(rise, at + 2)
-        c00, c01, c02 = half * take(own, to), half * take(own, to + 1), half * take(own, to + 2)
-        c11, c12 = half * take(own, to + 3), half * take(own, to + 4)
-        c22 = half * take(own, to + 5)
+        c00, c01, c02 = (
+            half * take(damping, to),
+            half * take(damping, to + 1),
+            half * take(damping, to + 2),
+        )
+        c11, c12 = half * take(damping, to + 3), half * take(damping, to + 4)
+        c22 = half * take(damping, to + 5)
         dashpots, was = (c00, c01, c02, c11, c12, c22), (y, z, turn)
         bars = take(parts.push, at), take(parts.push, at + 1), take(parts.push, at + 2)
         fy = take(force, at) + (bars[0] + dot((c00, c01, c02), was)) - mass * ag
@@ -295,15 +299,15 @@ def accelerate(p, parts, half, ag, gravity):
         if not p.in_row:
             goes = take(nodes.goes, i) > 0.0
             free = goes & p.free[i, 0], goes & p.free[i, 1], goes & p.free[i, 2]
-            found = solved(dashpots, mass, inertia, free, (fy, fz, moment))
+            accelerations = solved(dashpots, mass, inertia, free, (fy, fz, moment))
             for m in range(3):
-                put(rise, at + m, found[m])
+                put(rise, at + m, accelerations[m])
         else:
             for m in range(3):
                 put(rise, at + m, was[m])
                 put(force, at + m, (fy, fz, moment)[m])
             for m in range(6):
-                put(own, to + m, dashpots[m])
+                put(damping, to + m, dashpots[m])
     if p.in_row:
         between = parts.between
         for i in range(p.mass_kg.size - 1):
@@ -315,7 +319,7 @@ def accelerate(p, parts, half, ag, gravity):
                 row, column = three(between, at + 3 * m, 1), three(between, at + m, 3)
                 put(force, low + m, take(force, low + m) + dot(row, higher))
                 put(force, high + m, take(force, high + m) + dot(column, lower))
-        solve_row(own, between, parts.inverse, p.mass_kg, p.inertia_kg_m2, force)
+        solve_row(damping, between, parts.inverse, p.mass_kg, p.inertia_kg_m2, force)
         for row in range(len(force)):
             put(rise, row, take(force, row))
     if chained:
@@ -367,11 +371,11 @@ def march_stack(given, rows, scratch, every, series, weight):
 
 
 @looped
-def march_stacks(given, memory, scratch, case, motion, found):
+def march_stacks(given, memory, scratch, case, motion, outcomes):
     """Histories of a `Stack` side by side, see `march.march_many`."""
     align_stack()
     what = contact, accelerate, monitor, energies
-    march_many(what, given, memory, scratch, case, motion, found)
+    march_many(what, given, memory, scratch, case, motion, outcomes)
 
 
 STACK = Loop(march_stack, march_stacks, _start, 1)

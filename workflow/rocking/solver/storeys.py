@@ -86,20 +86,20 @@ def less(storeys, i, rows, at, u):
         _remember(rows, at, u, k * u, ends)
         return like(0.0, u)
     if storeys.law == PEAK_ORIENTED:
-        found = k * u - _peak_oriented(storeys, k, u_y, rows, at, u, ends)
+        taken_n = k * u - _peak_oriented(storeys, k, u_y, rows, at, u, ends)
     elif storeys.law == ORIGIN_ORIENTED:
         peak = max(choose(u >= 0.0, ends[0], ends[1]), u_y)
-        found = k * u * (1.0 - _left(storeys, peak) * (1.0 - soft * (1.0 - u_y / peak)))
+        taken_n = k * u * (1.0 - _left(storeys, peak) * (1.0 - soft * (1.0 - u_y / peak)))
     else:
         plastic = u - min(max(u - take(rows, at + PLACE), -u_y), u_y)
         put(rows, at + PLACE, plastic)
         beyond = math.copysign(max(abs(u) - u_y, 0.0), u)
         left = _left(storeys, worst)
         slid = storeys.share * plastic + (1.0 - storeys.share) * beyond
-        found = (1.0 - left) * k * u + left * soft * k * slid
-    found = choose(worst <= u_y, like(0.0, u), found)
-    _remember(rows, at, u, k * u - found, ends)
-    return found
+        taken_n = (1.0 - left) * k * u + left * soft * k * slid
+    taken_n = choose(worst <= u_y, like(0.0, u), taken_n)
+    _remember(rows, at, u, k * u - taken_n, ends)
+    return taken_n
 
 
 @looped
@@ -134,9 +134,9 @@ def _march(chain, ground, factors, state, push, rows):
         for i in range(n if rows.shape[0] > 0 else 0):
             rise = like(0.0, factor)
             for j in range(n):
-                own = chain.damping_1_s[j] * take(state, 2 * j + 1)
-                own += chain.square_1_s2[j] * take(state, 2 * j) - take(push, j)
-                rise += chain.shape[i, j] * own
+                modal = chain.damping_1_s[j] * take(state, 2 * j + 1)
+                modal += chain.square_1_s2[j] * take(state, 2 * j) - take(push, j)
+                rise += chain.shape[i, j] * modal
             put(rows, k * n + i, -rise)
         if k + 1 == ground.size:
             return
@@ -166,9 +166,9 @@ def march(chain, ground_m_s2, factors, start=None, floors=True):
         state[:] = start[:, None]
         lanes[0, : part.size] = part
         _march(chain, ground, lanes, state, room, rows)
-        own = slice(first, first + part.size)
+        batch = slice(first, first + part.size)
         if floors is not None:
-            found = rows.reshape(ground.size, n, WIDTH)[:, :, : part.size]
-            floors[own] = found.transpose(2, 1, 0)
-        states[own] = state.T[: part.size]
+            accelerations = rows.reshape(ground.size, n, WIDTH)[:, :, : part.size]
+            floors[batch] = accelerations.transpose(2, 1, 0)
+        states[batch] = state.T[: part.size]
     return floors, states

@@ -85,8 +85,8 @@ def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, roll=Non
 
 def _ends(rows):
     """From which to before which column each row is true, shape (rows, 2)."""
-    found = [np.flatnonzero(row) for row in rows]
-    return np.array([(at[0], at[-1] + 1) if at.size else (0, 0) for at in found]).reshape(-1, 2)
+    columns = [np.flatnonzero(row) for row in rows]
+    return np.array([(at[0], at[-1] + 1) if at.size else (0, 0) for at in columns]).reshape(-1, 2)
 
 
 class Ride(NamedTuple):
@@ -201,10 +201,10 @@ def _yield(bodies, ride):
     under = like(0.0, take(ride.u, 0))
     for j in range(n):
         place = take(ride.u, j)
-        found = less(storeys, j, ride.storeys, MEMORY * j, place - under)
-        put(ride.force, j, take(ride.force, j) + found)
+        taken_n = less(storeys, j, ride.storeys, MEMORY * j, place - under)
+        put(ride.force, j, take(ride.force, j) + taken_n)
         if j > 0:
-            put(ride.force, j - 1, take(ride.force, j - 1) - found)
+            put(ride.force, j - 1, take(ride.force, j - 1) - taken_n)
         under = place
 
 
@@ -215,8 +215,8 @@ def held_by(bodies, ride):
     n, storeys = bodies.mass_kg.size, bodies.storeys
     for j in range(storeys.k_n_m.size):
         shear = lone(take(ride.storeys, MEMORY * j + SHEAR))
-        own = 0.5 * shear * shear / storeys.k_n_m[j]
-        held, taken = held + own, taken + lone(take(ride.storeys, MEMORY * j + WORK)) - own
+        stored = 0.5 * shear * shear / storeys.k_n_m[j]
+        held, taken = held + stored, taken + lone(take(ride.storeys, MEMORY * j + WORK)) - stored
     for j in range(n if storeys.k_n_m.size == 0 else 0):
         for i in range(n):
             held += 0.5 * bodies.k_n_m[j, i] * lone(take(ride.u, j)) * lone(take(ride.u, i))

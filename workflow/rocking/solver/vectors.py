@@ -77,9 +77,9 @@ def _wide(builder, value):
         return value
     first = ir.Constant(ir.IntType(32), 0)
     nothing = ir.Constant(ir.VectorType(value.type, WIDTH), ir.Undefined)
-    one = builder.insert_element(nothing, value, first)
+    inserted = builder.insert_element(nothing, value, first)
     everywhere = ir.Constant(ir.VectorType(ir.IntType(32), WIDTH), [0] * WIDTH)
-    return builder.shuffle_vector(one, nothing, everywhere)
+    return builder.shuffle_vector(inserted, nothing, everywhere)
 
 
 @lower_cast(types.float64, Lanes)
@@ -213,8 +213,8 @@ def _fused(negate):
         name = f"llvm.fma.v{WIDTH}f64" if isinstance(kind, ir.VectorType) else "llvm.fma.f64"
         fused = ir.FunctionType(kind, [kind] * 3)
         one = builder.fneg(one) if negate else one
-        found = cgutils.get_or_insert_function(builder.module, fused, name)
-        return builder.call(found, (one, other, number))
+        intrinsic = cgutils.get_or_insert_function(builder.module, fused, name)
+        return builder.call(intrinsic, (one, other, number))
 
     return emit
 
