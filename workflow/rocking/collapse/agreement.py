@@ -82,9 +82,9 @@ def confirmed(scan, curve, ensemble, spread):
     """
     if scan is None or not len(ensemble):
         return np.nan
-    test, own = Confirmation(), outcomes(ensemble)
-    rows = alternatives(scan, own["pga_g"], spread)
-    for probabilities, collapsed in zip(rows, own["collapsed"], strict=True):
+    test, realisations = Confirmation(), outcomes(ensemble)
+    rows = alternatives(scan, realisations["pga_g"], spread)
+    for probabilities, collapsed in zip(rows, realisations["collapsed"], strict=True):
         test.add(probabilities, collapsed)
     alone = outcomes(curve) if len(curve) else curve.reindex(columns=["pga_g", "collapsed"])
     for probabilities, collapsed in zip(
@@ -124,11 +124,11 @@ def compared(scan, ensemble, spread, error=0.01):
     rows = []
     valid_realisations = ensemble[ensemble["status"] != "failed"] if len(ensemble) else ensemble
     for pga_g, group in valid_realisations.groupby("pga_g") if len(valid_realisations) else ():
-        fell, own = int(group["collapsed"].sum()), len(group)
+        fell, runs = int(group["collapsed"].sum()), len(group)
         (share,), (count,) = probability(valid["pga_g"], valid["collapsed"], [pga_g], spread)
         planar = round(share * count) if count else 0
-        p = fisher_exact([[fell, own - fell], [planar, count - planar]])[1] if count else 1.0
-        seen = {"probability_yade": fell / own, "realisations_yade": own}
+        p = fisher_exact([[fell, runs - fell], [planar, count - planar]])[1] if count else 1.0
+        seen = {"probability_yade": fell / runs, "realisations_yade": runs}
         row = {"pga_g": pga_g, **seen, "probability": share, "realisations": count}
         rows.append(row | {"agrees": int(p >= error)})
     both = [dense, *([pd.DataFrame(rows)] if rows else [])]

@@ -52,8 +52,8 @@ SHARED = ["pga_g", "probability", "probability_building"]
 
 def shares(tables, at_g):
     """Table of `SHARED` at amplitudes: means over the curves of a model, NaN where none says it."""
-    found = {name: over_curves(tables, at_g, name) for name in SHARED[1:]}
-    return pd.DataFrame({"pga_g": at_g, **found})
+    columns = {name: over_curves(tables, at_g, name) for name in SHARED[1:]}
+    return pd.DataFrame({"pga_g": at_g, **columns})
 
 
 def of_runs(curve):
@@ -95,15 +95,15 @@ def told_by_yade(scan, runs):
     DataFrame
         pga_g, fell and foretold (0 or 1), a row a run.
     """
-    own = runs[runs["status"].isin(("ok", "overturned"))]
+    valid = runs[runs["status"].isin(("ok", "overturned"))]
     known = scan[scan["status"].isin(("ok", "overturned"))].sort_values("pga_g")
     at_g = known["pga_g"].to_numpy(float)
-    nearest = [int(np.abs(at_g - g).argmin()) for g in own["pga_g"]] if len(known) else []
-    foretold = known["status"].to_numpy()[nearest] if nearest else own["status"].to_numpy()[:0]
+    nearest = [int(np.abs(at_g - g).argmin()) for g in valid["pga_g"]] if len(known) else []
+    foretold = known["status"].to_numpy()[nearest] if nearest else valid["status"].to_numpy()[:0]
     return pd.DataFrame(
         {
-            "pga_g": own["pga_g"].to_numpy(float)[: len(nearest)],
-            "fell": (own["status"].to_numpy()[: len(nearest)] == "overturned").astype(int),
+            "pga_g": valid["pga_g"].to_numpy(float)[: len(nearest)],
+            "fell": (valid["status"].to_numpy()[: len(nearest)] == "overturned").astype(int),
             "foretold": (foretold == "overturned").astype(int),
         }
     )
@@ -162,14 +162,16 @@ def lines(table):
         f"half of the histories fell from this PGA on ({_counted(first['motions'], 'motion')} of "
         f"{_counted(first['stations'], 'station')}{ways}):"
     ]
-    for one in table.to_dict("records"):
-        half = one["pga_half_g"]
+    for answer in table.to_dict("records"):
+        half = answer["pga_half_g"]
         value = f"{half:.2f} g" if math.isfinite(half) else "more than was run"
-        near = ", ".join(f"{100 * one[f'p_at_{g:g}g']:.0f} % at {g:g} g" for g in SAID_G)
-        yade = f"YADE: {one['yade_fell']} fell and {one['yade_stood']} stood as foretold"
-        yade += f", {one['yade_otherwise']} otherwise" if one["yade_otherwise"] else ""
-        ran = one["yade_fell"] + one["yade_stood"] + one["yade_otherwise"]
-        said.append(f"  {one['model']:4} {value} ({near}); {one['walls']}{f'; {yade}' * (ran > 0)}")
+        near = ", ".join(f"{100 * answer[f'p_at_{g:g}g']:.0f} % at {g:g} g" for g in SAID_G)
+        yade = f"YADE: {answer['yade_fell']} fell and {answer['yade_stood']} stood as foretold"
+        yade += f", {answer['yade_otherwise']} otherwise" if answer["yade_otherwise"] else ""
+        ran = answer["yade_fell"] + answer["yade_stood"] + answer["yade_otherwise"]
+        said.append(
+            f"  {answer['model']:4} {value} ({near}); {answer['walls']}{f'; {yade}' * (ran > 0)}"
+        )
     building = table["pga_building_g"].dropna()
     if len(building):
         said.append(f"  the building itself is down from {building.iloc[0]:.2f} g in half of them")

@@ -102,8 +102,8 @@ def told(scan, facade, spread):
     at_g = np.sort(scan["pga_g"].to_numpy(float))
     building = first_crossing(at_g, building_share(scan, at_g, spread), 0.5)
     half, lowest = facade["pga_median_g"], facade["pga_collapse_g"]
-    own = half if np.isfinite(half) else lowest
-    first = float(not own <= building) if np.isfinite(building) else 0.0
+    facade_g = half if np.isfinite(half) else lowest
+    first = float(not facade_g <= building) if np.isfinite(building) else 0.0
     return {"pga_building_g": building, "building_first": first}
 
 

@@ -128,8 +128,8 @@ class Case:
             )
         given = configuration.nested(given)
         resolved = configuration.resolve({**given, "models": [model]})
-        own = {key: given[key] for key in (*SECTIONS, "w3") if key in given}
-        for line in without_effect(resolved, {**own, "models": [model]}):
+        stated = {key: given[key] for key in (*SECTIONS, "w3") if key in given}
+        for line in without_effect(resolved, {**stated, "models": [model]}):
             warnings.warn(line, NoEffectWarning, stacklevel=2)
         with warnings.catch_warnings():
             if "law" not in (given.get("damping") or {}):  # who names none asked for none

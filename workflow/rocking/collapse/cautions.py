@@ -13,8 +13,8 @@ def scale_factors(records, runs, collapse):
     table = records[["record", "pga_g"]]
     largest = runs.groupby("record")["pga_g"].max()
     scanned = collapse["pga_all_g"].fillna(collapse["pga_max_g"]).groupby(collapse["record"]).max()
-    found = table["record"].map(largest).fillna(table["record"].map(scanned))
-    return table.assign(pga_largest_g=found, scale_factor=found / table["pga_g"])
+    largest_g = table["record"].map(largest).fillna(table["record"].map(scanned))
+    return table.assign(pga_largest_g=largest_g, scale_factor=largest_g / table["pga_g"])
 
 
 def cautions(records, runs, collapse, factors):

@@ -54,7 +54,7 @@ def between(pga_g, collapsed, width, spread, level):
     fell = np.asarray(collapsed, float) > 0.0
     if not fell.any():
         return np.nan, np.nan
-    sums = [np.append(0.0, np.cumsum(one)) for one in (width, width * fell, width**2)]
+    sums = [np.append(0.0, np.cumsum(weights)) for weights in (width, width * fell, width**2)]
     first = np.searchsorted(pga_g, pga_g * (1.0 - spread) * (1.0 - 1e-12))
     for many in FURTHER:
         ends = pga_g * (1.0 - spread) * ((1.0 + spread) / (1.0 - spread)) ** many

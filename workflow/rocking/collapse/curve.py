@@ -68,12 +68,12 @@ class Curve(Outcome):
 
     def __repr__(self) -> str:
         """Return one line: what it is of, histories, where it collapses."""
-        found = self.summary()
+        summary = self.summary()
         line = f"Curve {self.model} {self.record} {self.direction}: {self.runs} histories, "
-        if math.isnan(found["pga_collapse_g"]):
-            return f"{line}none fell up to {found['pga_max_g']:.3f} g"
-        line += f"lowest collapse {found['pga_collapse_g']:.3f} g"
-        half = found["pga_median_g"]
+        if math.isnan(summary["pga_collapse_g"]):
+            return f"{line}none fell up to {summary['pga_max_g']:.3f} g"
+        line += f"lowest collapse {summary['pga_collapse_g']:.3f} g"
+        half = summary["pga_median_g"]
         return line if math.isnan(half) else f"{line}, half collapse {half:.3f} g"
 
     @property
@@ -115,9 +115,9 @@ class Curve(Outcome):
         """
         positive("slope", slope)
         none = pd.DataFrame()
-        found = probability.summary(self.table, none, none, self.spread, slope)
-        found |= building.told(self.table, found, self.spread)
-        return {k: v.item() if isinstance(v, np.generic) else v for k, v in found.items()}
+        summary = probability.summary(self.table, none, none, self.spread, slope)
+        summary |= building.told(self.table, summary, self.spread)
+        return {k: v.item() if isinstance(v, np.generic) else v for k, v in summary.items()}
 
 
 def collapse_curve(
@@ -218,17 +218,18 @@ def collapse_curves(
         run_by("planar", case, motion.begun if brief else motion, direction, **options)
         for motion, direction in shaken
     ]
-    given = [_settings(case, own, search) for own in several]
-    for (motion, _), one, own in zip(shaken, outcomes, given, strict=True):
-        within_table(motion, one.columns, own)
+    given = [_settings(case, chosen, search) for chosen in several]
+    for (motion, _), run, chosen in zip(shaken, outcomes, given, strict=True):
+        within_table(motion, run.columns, chosen)
     searches = [
-        (one, strategy(search, case, one, own)) for one, own in zip(outcomes, given, strict=True)
+        (run, strategy(search, case, run, chosen))
+        for run, chosen in zip(outcomes, given, strict=True)
     ]
     seen = seen_together(searches)
     each_s = (time.monotonic() - began) / max(len(shaken), 1)
     return [
-        _curve(case, one, what, own, each_s, not brief)
-        for one, what, own in zip(shaken, seen, given, strict=True)
+        _curve(case, pair, what, chosen, each_s, not brief)
+        for pair, what, chosen in zip(shaken, seen, given, strict=True)
     ]
 
 
@@ -358,8 +359,8 @@ def history(
     Examples
     --------
     >>> from rocking import Case, Motion, history
-    >>> found = history(Case.configured("W1"), Motion.named("RRS228"), "neg", 0.1)
-    >>> found.status, bool(found.table["d_over_b"].abs().max() <= found.d_over_b)
+    >>> run = history(Case.configured("W1"), Motion.named("RRS228"), "neg", 0.1)
+    >>> run.status, bool(run.table["d_over_b"].abs().max() <= run.d_over_b)
     ('ok', True)
     """
     intensity("pga_g", pga_g)
@@ -377,7 +378,7 @@ def _planar_history(run, pga_g, sample_s):
     (screen,) = run.routes([pga_g])
     plane = screen.planes[0]
     (motions,), (factor,) = screen.shaking(pga_g)
-    found = runs.history(
+    series = runs.history(
         plane,
         motions,
         screen.numerics,
@@ -388,10 +389,10 @@ def _planar_history(run, pga_g, sample_s):
     )
     table = pd.DataFrame(
         {
-            "time_s": found.time_s,
-            "d_over_b": found.d_m / plane.thickness_m,
-            "velocity_m_s": found.d_m_s,
-            "rotation_rad": -found.pose[:, 2],
+            "time_s": series.time_s,
+            "d_over_b": series.d_m / plane.thickness_m,
+            "velocity_m_s": series.d_m_s,
+            "rotation_rad": -series.pose[:, 2],
         }
     )
-    return History(table, found.peak_d_over_b, found.status, found.broken)
+    return History(table, series.peak_d_over_b, series.status, series.broken)

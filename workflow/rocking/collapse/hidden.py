@@ -84,17 +84,19 @@ def reach(pga_g, swings, low_g):
         return np.zeros(0)
     swings = swings.reshape(len(at), -1)
     window = np.floor((at - math.log(low_g)) / WINDOW - 0.5 + 1e-9).astype(int)
-    own, first, count = np.unique(window, return_index=True, return_counts=True)
+    occupied, first, count = np.unique(window, return_index=True, return_counts=True)
     most = np.maximum.reduceat(swings, first)
     apart = np.maximum.reduceat(parted(at, swings), first)
-    found = np.zeros(own.size)
-    for k, (i, j) in enumerate(zip(*np.searchsorted(own, (own - 1, own + 2)), strict=True)):
+    reach_d_over_b = np.zeros(occupied.size)
+    for k, (i, j) in enumerate(
+        zip(*np.searchsorted(occupied, (occupied - 1, occupied + 2)), strict=True)
+    ):
         high = most[i:j].max(axis=0)
-        found[k] = high.max()
-        if found[k] >= NEAR:
+        reach_d_over_b[k] = high.max()
+        if reach_d_over_b[k] >= NEAR:
             further = (high + FURTHER * apart[i:j].max(axis=0)).max()
-            found[k] = further if count[i:j].sum() >= FEW else np.nan
-    return np.repeat(found, count)
+            reach_d_over_b[k] = further if count[i:j].sum() >= FEW else np.nan
+    return np.repeat(reach_d_over_b, count)
 
 
 def doubtful(pga_g, d_over_b, reach_d_over_b, low_g):
@@ -117,12 +119,12 @@ def doubtful(pga_g, d_over_b, reach_d_over_b, low_g):
     pga_g, d_over_b = np.asarray(pga_g, float), np.asarray(d_over_b, float)
     reach_d_over_b, low_g = np.asarray(reach_d_over_b, float), np.asarray(low_g, float)
     edges = low_g * (1.0 - 1e-9), low_g * (math.exp(WINDOW) - 1e-9)
-    found = np.zeros(low_g.size, bool)
+    hides = np.zeros(low_g.size, bool)
     for k, (i, j) in enumerate(zip(*(np.searchsorted(pga_g, edge) for edge in edges), strict=True)):
         beside = d_over_b[max(i - 1, 0) : j + 1]
         safe = reach_d_over_b[i:j] < UNSTABLE if j > i else beside < NEAR
-        found[k] = not safe.all()
-    return found
+        hides[k] = not safe.all()
+    return hides
 
 
 def needed(power, share=SHARE):

@@ -110,16 +110,16 @@ class Motion:
     @property
     def _content(self):
         record, floors = self.record, self.floors
-        own: tuple = (self.name, self.first, self.first_pga_g, self.pause_s, self.of_chain)
+        content: tuple = (self.name, self.first, self.first_pga_g, self.pause_s, self.of_chain)
         if record is not None:
             rows = record.acceleration_m_s2, record.vertical_m_s2
-            own += (record.dt_s, *(None if row is None else _bytes(row) for row in rows))
+            content += (record.dt_s, *(None if row is None else _bytes(row) for row in rows))
         if floors is not None:
             columns = ((name, _bytes(values)) for name, values in floors[1].items())
-            own += (_bytes(floors[0]), *columns)
+            content += (_bytes(floors[0]), *columns)
             if isinstance(floors[1], yielding.ByAmplitude):
-                own += (floors[1].identity,)
-        return own
+                content += (floors[1].identity,)
+        return content
 
     @classmethod
     def named(cls, name: str, table: str | PathLike | None = None, **how: Any) -> "Motion":
@@ -145,8 +145,8 @@ class Motion:
             if not isinstance(value, (str, PathLike)):
                 raise TypeError(f"Motion.named: {what} = {value!r}: expected text")
         if table is None:
-            own = [shipped(path) for path in TABLES]
-            table = next((path for path in own if name in read_table(path)), own[-1])
+            tables = [shipped(path) for path in TABLES]
+            table = next((path for path in tables if name in read_table(path)), tables[-1])
         return cls(load(name, str(found(table)), **how))
 
     @classmethod
@@ -293,8 +293,8 @@ class Motion:
             In one line that names the file.
         """
         floors = floor_motions.read(path)
-        own = not isinstance(floors[1], yielding.TabulatedFloors)
-        return cls(floors=floors, label=name, file=str(path), of_chain=own)
+        of_chain = not isinstance(floors[1], yielding.TabulatedFloors)
+        return cls(floors=floors, label=name, file=str(path), of_chain=of_chain)
 
     @property
     def name(self) -> str:

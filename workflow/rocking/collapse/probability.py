@@ -139,8 +139,8 @@ def summary(scan, curve, realisations, spread, slope=SLOPE):
         many, within ± spread of the lowest that fell; what may hide below the safe one (`unseen`).
         Of the building `building.told` says more.
     """
-    own = [table for table in (curve, realisations) if len(table)]
-    every = outcomes(*own) if scan is None else outcomes(*own, scan)
+    by_yade = [table for table in (curve, realisations) if len(table)]
+    every = outcomes(*by_yade) if scan is None else outcomes(*by_yade, scan)
     dense = every if scan is None else outcomes(scan)
     fell, stood = every[every["collapsed"] == 1]["pga_g"], every[every["collapsed"] == 0]["pga_g"]
     lowest = fell.min() if len(fell) else np.nan

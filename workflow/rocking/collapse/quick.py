@@ -34,10 +34,10 @@ def crossings_of(case, shaken, settings=None, step=LONG_STEP, ends=False, brief=
     """
     how = {"search": "crossings", "settings": settings, "fraction": step, "brief": brief}
     rows = []
-    for found in collapse_curves(case, shaken, **how):
-        rows.append({**dict(zip(PGA, found.found, strict=True)), "runs_planar": found.runs})
+    for curve in collapse_curves(case, shaken, **how):
+        rows.append({**dict(zip(PGA, curve.found, strict=True)), "runs_planar": curve.runs})
         if ends:
-            (at,) = ranges(outcomes(found.table), SPREAD, levels=(0.5,))
+            (at,) = ranges(outcomes(curve.table), SPREAD, levels=(0.5,))
             rows[-1] |= dict(zip(ENDS, at, strict=True))
     return rows
 

@@ -54,6 +54,6 @@ def spread(table, by, columns):
     """
     rows = []
     for key, part in table.groupby(by, sort=False):
-        found = Ratios(part["ratio"])
-        rows.append((*key, *(found.said(what) for what in columns.values())))
+        ratios = Ratios(part["ratio"])
+        rows.append((*key, *(ratios.said(what) for what in columns.values())))
     return pd.DataFrame(rows, columns=[*by, *columns])

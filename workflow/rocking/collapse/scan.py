@@ -131,13 +131,13 @@ def marched(asks):
             (scan, layout, *_), here = some[0], np.array([row for *_, row in some])
             motions, factors = _shaking(some)
             how = {"carried": scan.carried, "step_s": step_s}
-            found = peaks(scan.planes[layout], motions, scan.numerics, factors, **how)
-            d_over_b[here] = np.minimum(found.d_over_b, 1.0)
-            wider = max(found.spans.shape[1] - swings.shape[1], 0)
+            outcomes = peaks(scan.planes[layout], motions, scan.numerics, factors, **how)
+            d_over_b[here] = np.minimum(outcomes.d_over_b, 1.0)
+            wider = max(outcomes.spans.shape[1] - swings.shape[1], 0)
             swings = np.pad(swings, ((0, 0), (0, wider)))
-            swings[here, : found.spans.shape[1]] = found.spans
-            status[here[~found.failed]] = "ok"
-            status[here[found.overturned]] = "overturned"
+            swings[here, : outcomes.spans.shape[1]] = outcomes.spans
+            status[here[~outcomes.failed]] = "ok"
+            status[here[outcomes.overturned]] = "overturned"
     tables, first = [], 0
     for part in parts:
         mine = slice(first, first := first + part["pga_g"].size)
@@ -156,14 +156,14 @@ def _batches(histories):
 
 def _shaking(histories):
     """Motions and factors of histories (scan, layout, pga_g, row); each scan is asked once."""
-    own: dict[int, list] = {}
+    by_scan: dict[int, list] = {}
     for k, (scan, *_) in enumerate(histories):
-        own.setdefault(id(scan), []).append(k)
+        by_scan.setdefault(id(scan), []).append(k)
     motions, factors = [None] * len(histories), np.zeros(len(histories))
-    for mine in own.values():
-        found, factors[mine] = histories[mine[0]][0].shaking([histories[k][2] for k in mine])
-        for k, one in zip(mine, found, strict=True):
-            motions[k] = one
+    for mine in by_scan.values():
+        scan_motions, factors[mine] = histories[mine[0]][0].shaking([histories[k][2] for k in mine])
+        for k, motion in zip(mine, scan_motions, strict=True):
+            motions[k] = motion
     return motions, factors
 
 
@@ -210,7 +210,7 @@ def _whole(parts):
     """One table of some, by ascending amplitude, with what each history's swings could come to."""
     tables, swings = zip(*parts, strict=True)
     table = pd.concat(tables, ignore_index=True).sort_values("pga_g")
-    if all(one is not None for one in swings):
+    if all(part is not None for part in swings):
         rows = search.stacked(swings)[table.index]
         stood, pga_g = (table["status"] == "ok").to_numpy(), table["pga_g"].to_numpy()
         table["reach"] = np.nan
@@ -333,11 +333,11 @@ class Screen(Scan):
             second = [floor_motions.scaled(self.columns, factor) for factor in factors]
         if self.before is None:
             stay = [moved.scaled for moved in second]
-            own = [
+            driven = [
                 motions[k] if stay[k] else self._motions(self.time_s, moved)
                 for k, moved in enumerate(second)
             ]
-            return own, np.where(stay, factors, 1.0)
+            return driven, np.where(stay, factors, 1.0)
         both = [floor_motions.after(self.before, self.time_s, columns) for columns in second]
         return [self._motions(*columns) for columns in both], np.ones(len(both))
 
@@ -348,8 +348,8 @@ def scan_settings(case):
     W3, of more than twenty blocks, has its own steps.
     """
     ensemble = {key: case["ensemble"][key] for key in ("realisations", "amplitude_spread")}
-    own = {} if registry.model(case["model"]).single_block else case["w3"]["scan"]
-    return {**case["ida"], **ensemble, **own}
+    bricks = {} if registry.model(case["model"]).single_block else case["w3"]["scan"]
+    return {**case["ida"], **ensemble, **bricks}
 
 
 def driving(scene, time_s, columns):
@@ -368,8 +368,10 @@ def one_block_step(case):
     facade = {**case["facade"], "courses": 0}
     name = registry.model(case["model"]).one_way_model
     numerics = {**case["numerics"], **dict.fromkeys(NODE_KEYS, NODES)}
-    own = {**case, "facade": facade, "numerics": numerics}
-    return stable_step(to_plane(facade_scene(own, name, case["beta_s"], release_ratio=UPRIGHT)))
+    one_block = {**case, "facade": facade, "numerics": numerics}
+    return stable_step(
+        to_plane(facade_scene(one_block, name, case["beta_s"], release_ratio=UPRIGHT))
+    )
 
 
 def layouts(numerics, nodes=None):
@@ -387,11 +389,11 @@ def carried_masses(case, scene):
     """
     chain, mass = case["smdof"], case["return_wall"]["building_mass_kg"]
     shear = shear_chain(chain["n_dof"], chain["period_s"], mass)
-    own, stiffness = shear.matrices()
+    mass_matrix, stiffness = shear.matrices()
     damping = shear.damping_matrix(chain["damping_ratio"], chain["damping_model"])
     mixed = scene.notes.get("motions", {})
     floors = [floor_motion(j) for j in range(1, chain["n_dof"] + 1)]
     shares = [mixed.get(name, {name: 1.0}) for name in moving_supports(scene, GROUND)]
     hang = [[share.get(floor, 0.0) for floor in floors] for share in shares]
-    carried = bodies(np.diag(own), stiffness, damping, hang)
+    carried = bodies(np.diag(mass_matrix), stiffness, damping, hang)
     return carried._replace(storeys=storeys_of(case, mass))

@@ -30,10 +30,10 @@ def run_yade(*words, folder, limit_s=LIMIT_S):
     """
     python = os.environ.get("YADE_PYTHON") or shutil.which("python3", path=os.defpath)
     command = [str(python or sys.executable), str(SCRIPTS), *words]
-    own = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
     try:
         done = subprocess.run(
-            command, cwd=folder, env=own, capture_output=True, text=True, timeout=limit_s
+            command, cwd=folder, env=environment, capture_output=True, text=True, timeout=limit_s
         )
     except subprocess.TimeoutExpired:
         raise ValueError(f"YADE: {words[0]} took more than {limit_s:g} s") from None
