@@ -76,7 +76,7 @@ def resolve(config: Mapping) -> dict[str, Any]:
 def _rated(values: dict) -> dict[str, Any]:
     """Return what was given with `RATED` under it, where a hazard curve is among it."""
     sections = [values.get(name, {}) for name in ("risk", *RATED)]
-    if not all(isinstance(own, dict) for own in sections) or not sections[0].get("hazard"):
+    if not all(isinstance(section, dict) for section in sections) or not sections[0].get("hazard"):
         return values
     return {**values, **{name: {**RATED[name], **values.get(name, {})} for name in RATED}}
 
@@ -216,17 +216,17 @@ def expanded(config: Mapping) -> dict[str, tuple[dict[str, Any], dict[str, Any]]
             ending = "-".join(part for part in (name, label) if part)
             given = laid_over(laid_over(common, overrides), cell)
             try:
-                one = resolve(given)
+                resolved = resolve(given)
                 if ending:
-                    one = resolve({**given, "run": f"{one['run']}-{ending}"})
+                    resolved = resolve({**given, "run": f"{resolved['run']}-{ending}"})
             except ConfigError as error:
                 if not ending or error.detail == _fault(common):
                     raise
                 raise ConfigError(f"scenario '{ending}': {error.detail}") from None
             # one folder where names of files have no case
-            if (other := called.setdefault(one["run"].casefold(), one["run"])) in runs:
-                raise ConfigError(f"two runs would be called '{other}' and '{one['run']}'")
-            runs[one["run"]] = one, given
+            if (other := called.setdefault(resolved["run"].casefold(), resolved["run"])) in runs:
+                raise ConfigError(f"two runs would be called '{other}' and '{resolved['run']}'")
+            runs[resolved["run"]] = resolved, given
     return runs
 
 

@@ -47,7 +47,7 @@ def fault(schema: Mapping, leaf: bool = False, depth: int = 0) -> str:
     if leaf and "default" not in schema and not listed:
         return "default: missing"
     parts = [("items", schema.get("items")), ("contains", schema.get("contains"))]
-    parts += [(word, one) for word in ("anyOf", "oneOf") for one in schema.get(word, ())]
+    parts += [(word, option) for word in ("anyOf", "oneOf") for option in schema.get(word, ())]
     for word, part in parts:
         if part is not None and (said := _inside(part, False, depth)):
             return f"{word}: {said}"
@@ -92,12 +92,12 @@ def unknown_path(leaves: Mapping[str, Mapping]) -> str:
         for place, part in ((path, schema), *((f"{path}[].{k}", v) for k, v in entries.items())):
             named = [(word, part[word]) for word in ("below", "at_most") if word in part]
             sets = part.get("acts_with", [])
-            for one in sets if isinstance(sets, list) else [sets]:
-                if not isinstance(one, Mapping) or not all(
-                    isinstance(v, dict) for v in one.values()
+            for conditions in sets if isinstance(sets, list) else [sets]:
+                if not isinstance(conditions, Mapping) or not all(
+                    isinstance(v, dict) for v in conditions.values()
                 ):
                     return f"{place}: acts_with: expected keys, and a schema of each"
-                named += [("acts_with", key) for key in one]
+                named += [("acts_with", key) for key in conditions]
             for word, key in named:
                 if key not in leaves and key not in entries:
                     return f"{place}: {word} {key!r}: {one_of(leaves, key)}"

@@ -24,12 +24,15 @@ def differences(configurations):
     The dotted keys that are not the same in all, with their value there (None where an older run
     lacks the key).
     """
-    own = {run: flat(settings) for run, settings in configurations.items()}
-    keys = list(dict.fromkeys(itertools.chain.from_iterable(own.values())))
+    flattened = {run: flat(settings) for run, settings in configurations.items()}
+    keys = list(dict.fromkeys(itertools.chain.from_iterable(flattened.values())))
     keys = [
         key
         for key in keys
         if key not in ("run", "compare")
-        and any(values.get(key) != next(iter(own.values())).get(key) for values in own.values())
+        and any(
+            values.get(key) != next(iter(flattened.values())).get(key)
+            for values in flattened.values()
+        )
     ]
-    return {run: {key: values.get(key) for key in keys} for run, values in own.items()}
+    return {run: {key: values.get(key) for key in keys} for run, values in flattened.items()}

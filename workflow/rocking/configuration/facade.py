@@ -30,8 +30,8 @@ def check_facade(resolved: Mapping) -> None:
     _check_geometry(facade, resolved["return_wall"])
     _check_sides(resolved)
     bonded = [name for name in resolved["models"] if registry.model(name).bonded]
-    own = max(facade.bond_tension_mpa, facade.bond_cohesion_mpa)
-    if own > 0.0 and facade.tilt_deg > 0.0:
+    bond_mpa = max(facade.bond_tension_mpa, facade.bond_cohesion_mpa)
+    if bond_mpa > 0.0 and facade.tilt_deg > 0.0:
         raise ConfigError(
             f"facade.tilt_deg = {show(facade.tilt_deg)}: expected 0 (°) with a bond of the base"
         )
@@ -291,8 +291,12 @@ def _check_hinges(resolved: Mapping) -> None:
     for name in resolved["models"]:
         kind = registry.model(name)
         if not kind.compiled or kind.bonded:
-            own = f"{given} = {courses}, or facade.courses = 0, one block" if courses else given
-            raise ConfigError(f"models = {name}: expected W1, W2 or W2m, dry, with facade.{own}")
+            expected = (
+                f"{given} = {courses}, or facade.courses = 0, one block" if courses else given
+            )
+            raise ConfigError(
+                f"models = {name}: expected W1, W2 or W2m, dry, with facade.{expected}"
+            )
     if facade.tilt_deg and heights:
         raise ConfigError(
             "facade.hinges_m: expected none with facade.tilt_deg, of a wall that leans"

@@ -94,15 +94,15 @@ def _refuse_growth(node, name):
     """
     sizes: dict[int, int | None] = {}
 
-    def size(one):
-        if id(one) not in sizes:
-            sizes[id(one)] = None
-            parts = one.value if isinstance(one, yaml.CollectionNode) else ()
-            pairs = isinstance(one, yaml.MappingNode)
+    def size(branch):
+        if id(branch) not in sizes:
+            sizes[id(branch)] = None
+            parts = branch.value if isinstance(branch, yaml.CollectionNode) else ()
+            pairs = isinstance(branch, yaml.MappingNode)
             inner = [part for pair in parts for part in pair] if pairs else parts
-            sizes[id(one)] = 1 + sum(map(size, inner))
-        if (known := sizes[id(one)]) is None:
-            raise ConfigError(f"{name} line {one.start_mark.line + 1}: stands within itself")
+            sizes[id(branch)] = 1 + sum(map(size, inner))
+        if (known := sizes[id(branch)]) is None:
+            raise ConfigError(f"{name} line {branch.start_mark.line + 1}: stands within itself")
         return known
 
     if (total := size(node)) > MAX_NODES:
@@ -113,43 +113,43 @@ def _numbers(node):
     """Numbers below a node that are written without quotation marks, each once."""
     todo, seen = [node], set()
     while todo:
-        one = todo.pop()
-        if id(one) in seen:
+        branch = todo.pop()
+        if id(branch) in seen:
             continue
-        seen.add(id(one))
-        if isinstance(one, yaml.MappingNode):
-            todo.extend(part for pair in reversed(one.value) for part in reversed(pair))
-        elif isinstance(one, yaml.SequenceNode):
-            todo.extend(reversed(one.value))
-        elif one.tag in _NUMBERS and one.style is None:
-            yield one
+        seen.add(id(branch))
+        if isinstance(branch, yaml.MappingNode):
+            todo.extend(part for pair in reversed(branch.value) for part in reversed(pair))
+        elif isinstance(branch, yaml.SequenceNode):
+            todo.extend(reversed(branch.value))
+        elif branch.tag in _NUMBERS and branch.style is None:
+            yield branch
 
 
 def _refuse_long_numbers(node, name):
     """Refuse a number of thousands of digits, before it is read."""
-    for one in _numbers(node):
-        if len(one.value) > MAX_NUMBER:
+    for number in _numbers(node):
+        if len(number.value) > MAX_NUMBER:
             raise ConfigError(
-                f"{name} line {one.start_mark.line + 1}: a number of {len(one.value)} characters; "
-                f"expected at most {MAX_NUMBER}"
+                f"{name} line {number.start_mark.line + 1}: a number of {len(number.value)} "
+                f"characters; expected at most {MAX_NUMBER}"
             )
 
 
 def _refuse_other_bases(node, name):
     """Refuse a number that YAML reads as another: 010 is 8, 1:30 is 90, 0x10 is 16."""
-    for one in _numbers(node):
-        value = yaml.safe_load(one.value) if one.value[:1] in "+-0123456789" else None
+    for number in _numbers(node):
+        value = yaml.safe_load(number.value) if number.value[:1] in "+-0123456789" else None
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             continue
         try:
-            as_written = float(one.value) == value
+            as_written = float(number.value) == value
         except ValueError:
             as_written = False
         if not as_written:
             shown = f"{float(value):g}"
             raise ConfigError(
-                f"{name} line {one.start_mark.line + 1}: {one.value} is {shown} to YAML; expected a"
-                " decimal number, or text in quotation marks"
+                f"{name} line {number.start_mark.line + 1}: {number.value} is {shown} to YAML; "
+                "expected a decimal number, or text in quotation marks"
             )
 
 
@@ -205,8 +205,8 @@ def check_text(text: str, name: str, empty: bool = True) -> None:
     that YAML reads as another; where not `empty`, also nothing at all, which Snakemake does not
     take. The error has `name` and line.
     """
-    found, node = _loaded(text, name)
-    if not isinstance(found, Mapping) and (found is not None or not empty):
+    content, node = _loaded(text, name)
+    if not isinstance(content, Mapping) and (content is not None or not empty):
         raise ConfigError(f"{name}: expected keys at the top level, as run: mine")
     if node is not None:
         _refuse_other_bases(node, name)

@@ -38,10 +38,10 @@ def unknown_key(path: str, known: dict) -> ConfigError:
     if same and not section:  # "record" at the top level is rather "records" than "pictures.record"
         near = [*difflib.get_close_matches(leaf, known["properties"], 1, 0.85), *same]
     if not near and len(path) < 100:  # long junk is near nothing and would only cost time
-        own = {p.rpartition(".")[2]: p for p in paths if p.rpartition(".")[0] == section}
+        in_section = {p.rpartition(".")[2]: p for p in paths if p.rpartition(".")[0] == section}
         others = {p.rpartition(".")[2]: p for p in paths}
         tops = {} if section else {name: name for name in (*known["properties"], *STUDY_KEYS)}
-        for names in ({**own, **tops}, others):
+        for names in ({**in_section, **tops}, others):
             near = near or [names[m] for m in difflib.get_close_matches(leaf, names, 1, 0.7)]
     if near:
         meant = " or ".join(f"'{name}'" for name in near)
@@ -70,9 +70,9 @@ def refusal(error: jsonschema.ValidationError, known: dict) -> ConfigError:
     if error.validator == "additionalProperties":
         extra = [k for k in error.instance if k not in error.schema.get("properties", {})]
         if "[" in path:  # an entry of a list has keys of its own
-            own = schema.get("properties", {})
-            near = difflib.get_close_matches(extra[0], own, 1, 0.7)
-            meant = f"did you mean '{near[0]}'?" if near else f"expected one of {listed(own)}"
+            keys = schema.get("properties", {})
+            near = difflib.get_close_matches(extra[0], keys, 1, 0.7)
+            meant = f"did you mean '{near[0]}'?" if near else f"expected one of {listed(keys)}"
             return ConfigError(f"unknown key '{path}.{extra[0]}'; {meant}")
         return unknown_key(f"{path}.{extra[0]}" if path else extra[0], known)
     if not schema:

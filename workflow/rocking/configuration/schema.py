@@ -72,19 +72,19 @@ def _loaded(path: Path) -> dict:
     if not path.is_file():
         raise ConfigError(f"{path}: expected a file")
     try:
-        found = _once(path.read_text("utf-8"), path)
+        schema = _once(path.read_text("utf-8"), path)
     except (OSError, UnicodeDecodeError) as error:
         raise ConfigError(f"{path}: not readable as text ({error})") from None
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         line = f" line {mark.line + 1}" if mark else ""
         raise ConfigError(f"{path}{line}: not readable as YAML") from None
-    keys = found.get("properties") if isinstance(found, dict) else None
-    if not isinstance(keys, dict) or not all(isinstance(one, dict) for one in keys.values()):
+    keys = schema.get("properties") if isinstance(schema, dict) else None
+    if not isinstance(keys, dict) or not all(isinstance(part, dict) for part in keys.values()):
         raise ConfigError(f"{path}: expected a schema: properties, and below it keys")
-    if said := declared.fault(found):
+    if said := declared.fault(schema):
         raise ConfigError(f"{path}: {said}")
-    return found
+    return schema
 
 
 def _close(section: dict) -> None:

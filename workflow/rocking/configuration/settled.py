@@ -63,5 +63,5 @@ def settle_mass(resolved: Mapping[str, Any], stated: set[str]) -> None:
     if "return_wall.building_mass_kg" in stated:
         return
     facade = replace(Facade.of(resolved["facade"]), hinges_m=(), courses=0)
-    own = shape_of(facade).mass_kg * facade.building_top_m / facade.height_m
-    resolved["return_wall"]["building_mass_kg"] = float(f"{own / OF_THE_BUILDING:.{DIGITS}g}")
+    facade_kg = shape_of(facade).mass_kg * facade.building_top_m / facade.height_m
+    resolved["return_wall"]["building_mass_kg"] = float(f"{facade_kg / OF_THE_BUILDING:.{DIGITS}g}")

@@ -165,8 +165,8 @@ def _with(config, changes):
 
 def _heights(facade, factor):
     """All heights of a façade, multiplied."""
-    found = {key: factor * facade[key] for key in HEIGHTS}
-    found["hinges_m"] = [factor * z for z in facade["hinges_m"]]
+    scaled = {key: factor * facade[key] for key in HEIGHTS}
+    scaled["hinges_m"] = [factor * z for z in facade["hinges_m"]]
     for name, keys in LISTS.items():
-        found[name] = [{**row, **{key: factor * row[key] for key in keys}} for row in facade[name]]
-    return found
+        scaled[name] = [{**row, **{key: factor * row[key] for key in keys}} for row in facade[name]]
+    return scaled

@@ -42,7 +42,7 @@ def targets(root: Path = ROOT, study: str | None = "*") -> dict[str, Target]:
     Those of the core and of all studies; with the name of a study its own, with None the core's. A
     docstring of another form than above leaves what it should say empty.
     """
-    found = {}
+    by_name = {}
     core = (root / "workflow" / "Snakefile", *root.glob("workflow/rules/**/*.smk"))
     studies = root.glob(f"workflow/studies/{study}/*.smk") if study else ()
     for path in (*(core if study in (None, "*") else ()), *studies):
@@ -50,8 +50,8 @@ def targets(root: Path = ROOT, study: str | None = "*") -> dict[str, Target]:
             if re.search("^    output:", body, re.M) or ANOTHER_NAME.fullmatch(body):
                 continue
             said = DOCSTRING.fullmatch(" ".join(docstring.split()))
-            found[name] = Target(*(word or "" for word in said.groups()) if said else ())
-    return dict(sorted(found.items()))
+            by_name[name] = Target(*(word or "" for word in said.groups()) if said else ())
+    return dict(sorted(by_name.items()))
 
 
 def render(page: str, root: Path = ROOT) -> str:

@@ -58,12 +58,12 @@ def without_effect(resolved: Mapping, stated: Mapping) -> Iterator[str]:
 @functools.lru_cache(maxsize=1)
 def _conditional() -> list[tuple[str, dict, list]]:
     """Keys that act beside others, with those of the entries of a list: path, schema, entries."""
-    found = []
+    conditional = []
     for path, schema in leaves(whole()):
         entries = [(key, part) for key, part in leaves(schema.get("items", {})) if needs(part)]
         if needs(schema) or entries:
-            found.append((path, schema, entries))
-    return found
+            conditional.append((path, schema, entries))
+    return conditional
 
 
 def needs(schema: Mapping) -> list[Needs]:
@@ -91,14 +91,14 @@ def _said(
 ) -> Iterator[str]:
     """One line where none of a key's conditions holds."""
     sets = needs(schema)
-    if sets and not any(met(one, resolved, entry) for one in sets):
-        words = " or ".join(_words(one, resolved, entry) for one in sets)
+    if sets and not any(met(conditions, resolved, entry) for conditions in sets):
+        words = " or ".join(_words(conditions, resolved, entry) for conditions in sets)
         yield f"{path} = {show(value)} has no effect without {words}"
 
 
 def met(conditions: Needs, resolved: Mapping, entry: Mapping | None = None) -> bool:
     """Whether all of a set of conditions hold in a run; of an entry of a list, its own keys too."""
-    return all(_holds(found) for found in _found(conditions, resolved, entry or {}))
+    return all(_holds(pair) for pair in _found(conditions, resolved, entry or {}))
 
 
 def _found(conditions: Needs, resolved: Mapping, entry: Mapping) -> Iterator[tuple[Any, dict]]:
@@ -107,19 +107,19 @@ def _found(conditions: Needs, resolved: Mapping, entry: Mapping) -> Iterator[tup
         yield entry[key] if key in entry else value_at(resolved, key), wanted
 
 
-def _holds(found: tuple[Any, dict]) -> bool:
-    value, wanted = found
+def _holds(pair: tuple[Any, dict]) -> bool:
+    value, wanted = pair
     return jsonschema.Draft202012Validator(wanted).is_valid(value)
 
 
 def _words(conditions: Needs, resolved: Mapping, entry: Mapping) -> str:
     """Word the conditions that do not hold: "smdof.loops = flag (found bilinear)"."""
     said = []
-    for (key, wanted), found in zip(
+    for (key, wanted), pair in zip(
         conditions.items(), _found(conditions, resolved, entry), strict=True
     ):
-        if not _holds(found):
-            said.append(f"{key} = {_expected(wanted)} (found {show(found[0])})")
+        if not _holds(pair):
+            said.append(f"{key} = {_expected(wanted)} (found {show(pair[0])})")
     return " and ".join(said)
 
 

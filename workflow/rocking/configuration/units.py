@@ -32,10 +32,10 @@ def meant(value: float, unit: str, usual: list[float] | None) -> str:
     """What a value would be in the unit that makes it usual: "20 mm"; empty where none does."""
     if not usual:
         return ""
-    own = "" if unit == "-" else f" {unit}"
+    suffix = "" if unit == "-" else f" {unit}"
     for other, factor in OTHERS.get(unit, {}).items():
         if usual[0] <= value * factor <= usual[1]:
-            return f"{show(value)} {other} would be {float(f'{value * factor:.3g}'):g}{own}"
+            return f"{show(value)} {other} would be {float(f'{value * factor:.3g}'):g}{suffix}"
     if unit == "s" and value > 0.0 and usual[0] <= 1.0 / value <= usual[1]:
         return f"{show(value)} Hz would be {float(f'{1.0 / value:.3g}'):g} s"
     return ""
@@ -59,6 +59,6 @@ def _unlikely(path: str, value: Any, schema: Mapping, unit: str) -> Iterator[str
     elif "usual" in schema and isinstance(value, int | float) and value:
         low, high = schema["usual"]
         if not low <= value <= high:
-            own = "" if unit == "-" else f" {unit}"
-            said = f"{path} = {show(value)}{own}: usual are {show(low)} to {show(high)}"
+            suffix = "" if unit == "-" else f" {unit}"
+            said = f"{path} = {show(value)}{suffix}: usual are {show(low)} to {show(high)}"
             yield "; ".join(filter(None, [said, meant(value, unit, schema["usual"])]))

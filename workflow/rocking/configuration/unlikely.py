@@ -22,14 +22,14 @@ def lines(
     `stated` is what the user's configuration says of every run. A key that it says without what the
     key acts with is doubted.
     """
-    found = [line for one in settings.values() for line in _unlikely(one)]
+    doubts = [line for resolved in settings.values() for line in _unlikely(resolved)]
     runs: dict[str, list[str]] = {}
     for run, given in (stated or {}).items():
         for line in together.without_effect(settings[run], given):
             runs.setdefault(line, []).append(run)
     for line, those in runs.items():
-        found.append(line if len(those) == len(settings) else f"{listed(those, 3)}: {line}")
-    return list(dict.fromkeys(found))
+        doubts.append(line if len(those) == len(settings) else f"{listed(those, 3)}: {line}")
+    return list(dict.fromkeys(doubts))
 
 
 def _unlikely(resolved: Mapping) -> Iterator[str]:
@@ -43,11 +43,11 @@ def _unlikely(resolved: Mapping) -> Iterator[str]:
             )
     mass = resolved["return_wall"]["building_mass_kg"]
     pushed = [name for name in resolved["models"] if registry.model(name).two_way]
-    own = shape_of(resolved["facade"]).mass_kg if mass and pushed else 0.0
-    if mass and mass < own:
+    facade_kg = shape_of(resolved["facade"]).mass_kg if mass and pushed else 0.0
+    if mass and mass < facade_kg:
         yield (
             f"return_wall.building_mass_kg = {show(mass)}: less than the façade's own "
-            f"{own:.0f} kg, behind {', '.join(pushed)}; is it in kg?"
+            f"{facade_kg:.0f} kg, behind {', '.join(pushed)}; is it in kg?"
         )
     yield from units.unusual(resolved)
     yield from _not_for_bricks(resolved)
@@ -64,10 +64,10 @@ def _not_for_bricks(resolved: Mapping) -> Iterator[str]:
         return
     defaults = {path: schema.get("default") for path, schema in leaves(whole())}
     for key, section in OWN_SCAN.items():
-        stated, own = resolved[section][key], resolved["w3"]["scan"][key]
-        untouched = own == defaults[f"w3.scan.{key}"]
-        if untouched and stated not in (own, defaults[f"{section}.{key}"]):
+        stated, taken = resolved[section][key], resolved["w3"]["scan"][key]
+        untouched = taken == defaults[f"w3.scan.{key}"]
+        if untouched and stated not in (taken, defaults[f"{section}.{key}"]):
             yield (
                 f"{section}.{key} = {show(stated)} is not for the dense scan of {bricks}, "
-                f"which takes w3.scan.{key} = {show(own)}"
+                f"which takes w3.scan.{key} = {show(taken)}"
             )
