@@ -125,11 +125,11 @@ def check_records(
         key = _hash([_code(), stated, files, baseline, seed, repr(spec), draw])
         if key not in known:
             known[key] = _finding(row, baseline, seed if draw else None, spec, opened)
-        one = _scaled(Finding(row.record, row.path or "", *known[key]), reach_g)
+        finding = _scaled(Finding(row.record, row.path or "", *known[key]), reach_g)
         first = same.setdefault((row.path, row.component), row.record)
         if row.path and first != row.record:
-            one = _doubted(one, f"the same motion as record {first}: it counts twice")
-        findings.append(one)
+            finding = _doubted(finding, f"the same motion as record {first}: it counts twice")
+        findings.append(finding)
     if cache and len(known) > before:
         _remember(cache, known)
     return findings
@@ -147,7 +147,7 @@ def check_runs(runs, **options):
         treatment = [resolved[key] for key in ("baseline", "seed")]
         combination = [runs.table_path(run), runs.records[run], treatment]
         alike[json.dumps(combination, sort_keys=True)].append(run)
-    found: dict[tuple, Finding] = {}
+    distinct: dict[tuple, Finding] = {}
     for run, *others in alike.values():
         resolved, path = runs.settings[run], surrogates_for(runs.table_path(run))
         findings = check_records(
@@ -155,12 +155,14 @@ def check_runs(runs, **options):
             baseline=resolved["baseline"],
             seed=resolved["seed"],
             specs=read_specs(path) if path else None,
-            reach_g=max(reach_g(runs.settings[one]) for one in (run, *others)),
+            reach_g=max(reach_g(runs.settings[each]) for each in (run, *others)),
             **options,
         )
-        for one in findings:
-            found.setdefault((one.record, one.file, one.status, one.message), one)
-    return list(found.values())
+        for finding in findings:
+            distinct.setdefault(
+                (finding.record, finding.file, finding.status, finding.message), finding
+            )
+    return list(distinct.values())
 
 
 def warnings(record):
@@ -298,7 +300,7 @@ def _of_files(row, baseline, opened):
         with catch_warnings(record=True) as doubted:
             simplefilter("always")
             floor_table.floors_of(row, treated)
-        said += [str(one.message) for one in doubted]
+        said += [str(doubt.message) for doubt in doubted]
     return said, facts
 
 
@@ -340,10 +342,10 @@ def _hash(value):
 def _remembered(cache):
     try:
         there = cache and Path(cache).is_file()  # a pipe would be waited for
-        found = json.loads(Path(cache).read_text(encoding="utf-8")) if there else {}
+        entries = json.loads(Path(cache).read_text(encoding="utf-8")) if there else {}
         return {
             str(key): (str(status), str(said), *(v if v is None else float(v) for v in facts[:6]))
-            for key, (status, said, *facts) in found.items()
+            for key, (status, said, *facts) in entries.items()
         }
     except (OSError, ValueError, TypeError, AttributeError, RecursionError):
         return {}

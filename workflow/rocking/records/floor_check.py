@@ -63,10 +63,12 @@ def check_floors(path, time_s, values, record=None):
 def _refuse_other_ground(path, time_s, ground, record):
     off = 1.0
     for began in {0.0, float(time_s[0])}:  # times from the motion's first sample, or from a step
-        own = np.interp(time_s - began, record.time_s, record.acceleration_m_s2, right=0.0)
-        factor = float(np.dot(own, ground) / max(np.dot(own, own), 1e-300))
+        recorded = np.interp(time_s - began, record.time_s, record.acceleration_m_s2, right=0.0)
+        factor = float(np.dot(recorded, ground) / max(np.dot(recorded, recorded), 1e-300))
         if factor > 0.0:
-            off = min(off, float(np.max(np.abs(ground - factor * own)) / np.max(np.abs(ground))))
+            off = min(
+                off, float(np.max(np.abs(ground - factor * recorded)) / np.max(np.abs(ground)))
+            )
     if off > NOT_THE_RECORD:
         raise RecordError(
             f"{path}: its ground differs from record {record.name} by {100 * off:.0f} % of the "
@@ -115,7 +117,7 @@ def _out_of_order(path, ground, floors, step, told):
         spectrum = np.fft.rfft(a - ground)[1:] / (2 * np.pi * f) ** 2
         spectrum[f < SLOW_HZ[0]] = 0.0
         size.append(float(np.sqrt(2.0 * np.sum(np.abs(spectrum) ** 2))) / len(ground))
-    shown = ", ".join(f"{1e3 * one:.3g}" for one in size)
+    shown = ", ".join(f"{1e3 * rms_m:.3g}" for rms_m in size)
     said = f"{path}: floors move {shown} mm (r.m.s.) relative to the ground from floor1 up"
     ratios = [high / low if low else 1.0 for low, high in zip(size, size[1:], strict=False)]
     if all(ratio < 1.0 for ratio in ratios):

@@ -60,10 +60,10 @@ def read_floor_file(path, units=None, columns=None, record=None):
         For floors that drift from the ground, or accelerations of few digits.
     """
     text = read_text(path)
-    found = layout(text)
-    if found is None or found.time_s is None:
+    table = layout(text)
+    if table is None or table.time_s is None:
         raise RecordError(f"{path}: expected a column of times, then ground, floor1, …")
-    labels = [label for label, _, _ in found.channels]
+    labels = [label for label, _, _ in table.channels]
     if columns is None and any(map(_name, labels)):
         columns = [_name(label) for label in labels]
     if columns is None:
@@ -71,13 +71,13 @@ def read_floor_file(path, units=None, columns=None, record=None):
             f"{path}: no captions ground, floor1, …; state columns=['{GROUND}', 'floor1', …] for "
             f"its {len(labels)} columns after the time"
         )
-    columns = [str(one) for one in columns]
+    columns = [str(column) for column in columns]
     _check_names(path, columns, labels)
     factors = _factors(path, labels, columns, units)
-    time_s = _times(text, found)
+    time_s = _times(text, table)
     values = {
         name: factor * np.array(channel[1])
-        for name, channel, factor in zip(columns, found.channels, factors, strict=True)
+        for name, channel, factor in zip(columns, table.channels, factors, strict=True)
     }
     values = {name: values[name] for name in sorted(values, key=_height)}
     check_floors(path, time_s, values, record)
@@ -86,8 +86,8 @@ def read_floor_file(path, units=None, columns=None, record=None):
 
 def named(path):
     """What the captions of a file name, "ground", "floor1", …; nothing of a file without."""
-    found = layout(read_text(path))
-    return [_name(label) for label, _, _ in found.channels] if found else []
+    table = layout(read_text(path))
+    return [_name(label) for label, _, _ in table.channels] if table else []
 
 
 def _name(label):
@@ -139,34 +139,33 @@ def _factors(path, labels, columns, units):
     stated = unit_name(units) if units else None
     if units and stated is None:
         raise RecordError(f"{path}: units {units!r}; expected one of {', '.join(UNITS_M_S2)}")
-    found = []
+    column_units = []
     for label, name in zip(labels, columns, strict=True):
         said = heading_unit(label)
         if said.against:
             raise RecordError(f"{path}: column {name}: {said.against}; expected an acceleration")
         if said.unit and stated and said.unit != stated:
             raise RecordError(f"{path}: column {name} is in {said.unit}, but {units!r} is stated")
-        found.append(said.unit or stated)
-    if None in found:
+        column_units.append(said.unit or stated)
+    if None in column_units:
         known = ", ".join(UNITS_M_S2)
-        name = columns[found.index(None)]
+        name = columns[column_units.index(None)]
         raise RecordError(f"{path}: column {name}: no units; state units, one of {known}")
-    if len(set(found)) > 1:
-        raise RecordError(
-            f"{path}: columns in {' and '.join(map(str, dict.fromkeys(found)))}; expected one"
-        )
-    return [UNITS_M_S2[str(unit)] for unit in found]
+    if len(set(column_units)) > 1:
+        several = " and ".join(map(str, dict.fromkeys(column_units)))
+        raise RecordError(f"{path}: columns in {several}; expected one")
+    return [UNITS_M_S2[str(unit)] for unit in column_units]
 
 
-def _times(text, found):
-    label, cells = found.time
+def _times(text, table):
+    label, cells = table.time
     bracketed = re.search(r"[(\[]([^()\[\]]+)[)\]]|_(m?s)$", label)
     word = next(filter(None, bracketed.groups())).strip().lower() if bracketed else "s"
     if word not in TIME_UNITS:
         raise RecordError(f"{text.path}: time is in {word[:20]!r}; expected seconds")
     factor = TIME_UNITS[word]
-    lines = found.block.lines
-    first = lines.index(found.channels[0][2])
+    lines = table.block.lines
+    first = lines.index(table.channels[0][2])
     at = min(len(lines) - 1, first)
-    uniform_step(text, found.time_s, cells, lambda i: lines[min(at + i, len(lines) - 1)])
-    return factor * np.array(found.time_s)
+    uniform_step(text, table.time_s, cells, lambda i: lines[min(at + i, len(lines) - 1)])
+    return factor * np.array(table.time_s)

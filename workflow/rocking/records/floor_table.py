@@ -48,8 +48,8 @@ def read_floor_table(path, units=None, columns=None, record=None):
     levels, first = [], None
     for number, (pga_g, file, row) in enumerate(intensities(path), 1):
         names = (row.get("columns") or "").split() or columns
-        time_s, found = read_floor_file(str(file), row.get("units") or units, names, record)
-        peak_g = float(np.abs(found[GROUND]).max()) / STANDARD_GRAVITY_M_S2
+        time_s, floors = read_floor_file(str(file), row.get("units") or units, names, record)
+        peak_g = float(np.abs(floors[GROUND]).max()) / STANDARD_GRAVITY_M_S2
         if not abs(peak_g / pga_g - 1.0) <= OFF:
             raise RecordError(
                 f"{path}, row {number}: pga_g = {pga_g:g}, but the ground of {row['file']} has a "
@@ -58,7 +58,7 @@ def read_floor_table(path, units=None, columns=None, record=None):
         first = time_s if first is None else first
         if len(time_s) != len(first) or np.abs(time_s - first).max() > 1e-6 * first[-1]:
             raise RecordError(f"{file}: expected the times of the table's first file")
-        levels.append(found)
+        levels.append(floors)
     try:
         return first, TabulatedFloors(levels)
     except ValueError as error:
@@ -67,7 +67,7 @@ def read_floor_table(path, units=None, columns=None, record=None):
 
 def intensities(path):
     """PGA [g], file and cells of every row of a table; RecordError of one line."""
-    found, before_g = [], 0.0
+    levels, before_g = [], 0.0
     for number, row in enumerate(_rows(path), 1):
         try:
             pga_g = float(row["pga_g"])
@@ -79,8 +79,8 @@ def intensities(path):
                 f"{path}, row {number}: pga_g = {row['pga_g'][:40]!r}: expected {expected}"
             )
         before_g = pga_g
-        found.append((pga_g, Path(path).parent / row["file"], row))
-    return found
+        levels.append((pga_g, Path(path).parent / row["file"], row))
+    return levels
 
 
 def is_table(path):
@@ -155,7 +155,7 @@ def _rows(path):
         raise RecordError(f"{path}: expected columns {', '.join(WANTED)} and a row an intensity")
     if len(lines) > MOST:
         raise RecordError(f"{path}: {len(lines) - 1} rows; expected at most {MOST - 1}")
-    found = []
+    rows = []
     for number, line in lines[1:]:
         cells = split_line(text, number, line, separator, len(columns))
         row = dict(zip(columns, cells, strict=False))
@@ -163,5 +163,5 @@ def _rows(path):
             raise text.error(number, f"{len(cells)} cells; expected {listed(columns)}")
         if separator == ";":  # where commas are for decimals
             row["pga_g"] = row["pga_g"].replace(",", ".")
-        found.append(row)
-    return found
+        rows.append(row)
+    return rows

@@ -195,7 +195,7 @@ def generate(name, pga_g, pgv_cm_s, pgd_cm, duration_s, *, spec=None, seed=DEFAU
         solved, error = _solve(model, spec, target)
         tried.append((error, draw + 1, model, solved))
         # Parameters that are far off for several draws are so for all.
-        if error < GOAL or (draw == 5 and min(one[0] for one in tried) > 5 * TOLERANCE):
+        if error < GOAL or (draw == 5 and min(attempt[0] for attempt in tried) > 5 * TOLERANCE):
             break
     error, draw, model, solved = min(tried, key=itemgetter(0))
     if error > TOLERANCE:

@@ -190,24 +190,24 @@ def _row(text, number, cells):
                 said = "no regular file" if os.path.lexists(path) else "no file"
                 raise text.error(number, f"record {name}: {said} {cells[column]!r} ({path})")
             paths[column] = path
-    own = paths.get("file")
-    if own is None and "floors" in paths:
+    horizontal = paths.get("file")
+    if horizontal is None and "floors" in paths:
         raise text.error(
             number,
             f"record {name}: floors without a file; expected in the column file the motion that "
             "the building was given",
         )
-    if own is None and (vertical or paths):
+    if horizontal is None and (vertical or paths):
         raise text.error(number, f"record {name}: a vertical motion without a file")
     building = _floors_building(text, number, name, cells)
     missing = [column for column in TARGETS if column not in numbers]
-    if own is None and missing:
+    if horizontal is None and missing:
         raise text.error(
             number, f"record {name}: no file, and a surrogate needs a value of {listed(missing)}"
         )
     return Row(
         name,
-        own,
+        horizontal,
         form,
         numbers.get("dt_s"),
         units,
@@ -215,7 +215,7 @@ def _row(text, number, cells):
         targets={column: numbers[column] for column in TARGETS if column in numbers},
         about={column: numbers.get(column, cells[column]) for column in ABOUT if column in cells},
         line=number,
-        vertical_path=paths.get("vertical_file", own if vertical else None),
+        vertical_path=paths.get("vertical_file", horizontal if vertical else None),
         vertical=vertical,
         floors_path=paths.get("floors"),
         floors_building=building,
