@@ -116,7 +116,7 @@ def of_folder(folder: Path) -> list[tuple[str, dict]]:
         for name, path in config_schema.files()
         if path.parent == folder
     ]
-    return sorted(schemas, key=lambda one: one[0] != config_schema.TOP)
+    return sorted(schemas, key=lambda section: section[0] != config_schema.TOP)
 
 
 def sections() -> dict[str, str]:
@@ -136,7 +136,9 @@ def studies() -> dict[Path, str]:
         lines = [f"# `{folder.name}`: targets and keys", "", WRITTEN, ""]
         if there := targets.targets(study=folder.name):
             lines += ["| target | what it makes | costs |", "|---|---|---|"]
-            lines += [f"| `{name}` | {one.makes} | {one.costs} |" for name, one in there.items()]
+            lines += [
+                f"| `{name}` | {target.makes} | {target.costs} |" for name, target in there.items()
+            ]
         else:
             lines += ["No target: its files are asked for by name, as its rules say."]
         for name, schema in of_folder(folder):
@@ -159,7 +161,7 @@ def _keys(schema: dict, how: str) -> list[str]:
     for path, part in config_schema.leaves(schema):
         lines.append(_row(path, part))
         entries = part.get("items", {})
-        lines += [_row(f"{path}[].{key}", one) for key, one in config_schema.leaves(entries)]
+        lines += [_row(f"{path}[].{key}", entry) for key, entry in config_schema.leaves(entries)]
     return lines
 
 

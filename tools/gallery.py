@@ -46,26 +46,26 @@ SHARED = {"__init__.py", "panels.py", "style.py"}  # by all figures, or nearly a
 
 def entries(page=PAGE):
     """Pictures of the page, as (command, file it makes, picture)."""
-    found = []
+    pictures = []
     for match in ENTRY.finditer(page.read_text("utf-8")):
         source = shlex.split(match["command"].replace("\\\n", " "))[-1]
         picture = page.parent / match["picture"]
         if picture.stem.removeprefix("study_") != Path(source).stem:
             raise ValueError(f"{page.name}: {match['picture']} stands below a command for {source}")
-        found.append((match["command"], Path(source), picture))
-    return found
+        pictures.append((match["command"], Path(source), picture))
+    return pictures
 
 
 def digest(script):
     """Digest of a script and of the modules of drawing that it imports itself, hex."""
-    own = {
+    modules = {
         path
         for path in imports(script)
         if (path.parent.name == "figures" or path.stem.startswith("drawing"))
         and path.name not in SHARED
     }
     total = hashlib.sha256()
-    for path in (script, *sorted(own)):
+    for path in (script, *sorted(modules)):
         total.update(path.name.encode() + b"\0" + path.read_bytes())
     return total.hexdigest()
 

@@ -48,11 +48,11 @@ def framed(scene, gap_m=GAP_M):
         0.5 * RAIL_M * WIDTH_M,
         parts.Interface(1e9, 0.4e9, beta_s=1e-4, friction_rad=math.radians(20.0), gap_m=gap_m),
     )
-    own = nodes.done()
-    own.joint = own.joint + len(scene.joints)
+    frame_nodes = nodes.done()
+    frame_nodes.joint = frame_nodes.joint + len(scene.joints)
     both = {
-        f.name: np.concatenate([getattr(scene.nodes, f.name), getattr(own, f.name)])
-        for f in fields(own)
+        f.name: np.concatenate([getattr(scene.nodes, f.name), getattr(frame_nodes, f.name)])
+        for f in fields(frame_nodes)
     }
     return replace(
         scene,

@@ -59,9 +59,9 @@ def others():
     wall = wall_of(case("W1", block=True)[0], 3)
     simulate(wall, SupportTable(1.0, STILL))
     column.capacity(0.5, 0.05, 0.06)
-    own, _ = case("W2m", block=True)
-    own = {**own, "return_wall": {**own["return_wall"], "building_mass_kg": 1.0}}
-    StackSolver(build_scene(own), TIME_S, {"ground": STILL}).peaks([1.0], step_s=1e-2)
+    sections, _ = case("W2m", block=True)
+    sections = {**sections, "return_wall": {**sections["return_wall"], "building_mass_kg": 1.0}}
+    StackSolver(build_scene(sections), TIME_S, {"ground": STILL}).peaks([1.0], step_s=1e-2)
 
 
 def building():

@@ -54,12 +54,12 @@ def choose(config, model, measured):
     numerics, kind = config["numerics"], registry.model(model)
     stated = {key: numerics[key] for key in CHOSEN if numerics[key] is not None}
     if not kind.single_block:
-        own = {key: config["w3"][key] for key in ("nodes_thickness", "step_fraction")}
-        return {**numerics, **own, **stated}, "section w3"
+        bricks = {key: config["w3"][key] for key in ("nodes_thickness", "step_fraction")}
+        return {**numerics, **bricks, **stated}, "section w3"
     if config.get("facade", {}).get("courses"):
-        own = {**measured.get(COURSES, {}), **stated}
-        if len(own) == len(CHOSEN):
-            return {**numerics, **own}, "of courses in config/fidelity.yaml"
+        courses = {**measured.get(COURSES, {}), **stated}
+        if len(courses) == len(CHOSEN):
+            return {**numerics, **courses}, "of courses in config/fidelity.yaml"
         model, measured = "courses", {}
     tolerance = numerics["fidelity_tolerance"]
     pairs = measured.get(kind.plain, [])
@@ -79,6 +79,6 @@ def choose(config, model, measured):
         )
     nodes = good[0]["nodes"]
     base = min(2 * nodes - 1, MOST_BASE_NODES)
-    found = dict(zip(CHOSEN, (base, nodes, nodes, good[0]["step_fraction"]), strict=True))
+    cheapest = dict(zip(CHOSEN, (base, nodes, nodes, good[0]["step_fraction"]), strict=True))
     reason = f"measured error {good[0]['error']:g} of {kind.plain} in config/fidelity.yaml"
-    return {**numerics, **found, **stated}, reason
+    return {**numerics, **cheapest, **stated}, reason

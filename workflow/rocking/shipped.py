@@ -25,5 +25,5 @@ def shipped(path):
 
 def found(path):
     """A user's file as it is named or, where there is none, the one that comes with the project."""
-    own, ours = Path(path), shipped(path)
-    return ours if not own.exists() and ours.exists() else own
+    given, ours = Path(path), shipped(path)
+    return ours if not given.exists() and ours.exists() else given

@@ -70,14 +70,14 @@ def settle_caches(folder=".snakemake/cache"):
         home.mkdir(parents=True, exist_ok=True)
         tempfile.TemporaryFile(dir=home).close()
     except (OSError, RuntimeError) as error:
-        own = Path(folder).absolute()
+        cache = Path(folder).absolute()
         try:
-            own.mkdir(parents=True, exist_ok=True)
+            cache.mkdir(parents=True, exist_ok=True)
         except OSError as fault:
             sys.exit(f"error: {fault.filename}: {fault.strerror}: --directory names another folder")
-        os.environ["XDG_CACHE_HOME"] = str(own)
-        os.environ.setdefault("MPLCONFIGDIR", str(own / "matplotlib"))
-        print(f"warning: no cache in the home folder ({error}): kept in {own}", file=sys.stderr)
+        os.environ["XDG_CACHE_HOME"] = str(cache)
+        os.environ.setdefault("MPLCONFIGDIR", str(cache / "matplotlib"))
+        print(f"warning: no cache in the home folder ({error}): kept in {cache}", file=sys.stderr)
 
 
 def prepare():

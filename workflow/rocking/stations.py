@@ -27,15 +27,15 @@ def turns(stations, directions):
     Of a station with several components each takes one direction in turn; a component that is alone
     takes all. `stations` has the station of every record.
     """
-    own: dict[str, list[str]] = {}
+    by_station: dict[str, list[str]] = {}
     for record, station in stations.items():
-        own.setdefault(station, []).append(record)
-    found = []
+        by_station.setdefault(station, []).append(record)
+    curves = []
     for record, station in stations.items():
-        of = own[station]
+        of = by_station[station]
         k = of.index(record) % len(directions)
-        found += [(record, d) for d in (directions if len(of) == 1 else directions[k : k + 1])]
-    return found
+        curves += [(record, d) for d in (directions if len(of) == 1 else directions[k : k + 1])]
+    return curves
 
 
 def interval(values, stations, confidence):

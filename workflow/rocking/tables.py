@@ -58,11 +58,11 @@ def together(tables):
     A column that is blank throughout one of them takes its type from the others: pandas does so
     too, and warns with each that it will not for ever.
     """
-    found = list(tables)
-    columns = dict.fromkeys(name for table in found for name in table.columns)
-    filled = [table.dropna(axis="columns", how="all") for table in found if len(table)]
+    parts = list(tables)
+    columns = dict.fromkeys(name for table in parts for name in table.columns)
+    filled = [table.dropna(axis="columns", how="all") for table in parts if len(table)]
     if not filled:
-        return found[0].reindex(columns=list(columns))
+        return parts[0].reindex(columns=list(columns))
     return pd.concat(filled, ignore_index=True).reindex(columns=list(columns))
 
 

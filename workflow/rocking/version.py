@@ -19,8 +19,8 @@ def version():
     tree = ROOT / "pyproject.toml"
     ours = (ROOT / "workflow" / "rocking").is_dir() and tree.is_file()
     text = tree.read_text("utf-8") if ours else ""
-    if found := re.search(r'(?m)^version = "(.+)"$', text):
-        return found[1]
+    if match := re.search(r'(?m)^version = "(.+)"$', text):
+        return match[1]
     try:
         return importlib.metadata.version(NAME)
     except importlib.metadata.PackageNotFoundError:

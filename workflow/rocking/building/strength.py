@@ -94,15 +94,19 @@ def base_shear_ratio(storeys, tau0_pa, *, piers=1.0, spandrels=1.0, shape=SLENDE
         raise ValueError(f"shape = {shape}: expected b from {SQUAT:g} to {SLENDER:g}")
     if not tau0_pa > 0.0:
         raise ValueError(f"tau0_pa = {tau0_pa}: expected a number above 0")
-    for number, one in enumerate(storeys, 1):
-        if not (one.area_m2 > 0.0 and one.weight_n > 0.0 and one.compression_pa >= 0.0):
-            raise ValueError(f"storey {number}: expected an area and a weight above 0, got {one}")
-    weight = np.array([one.weight_n for one in storeys])
-    moment = weight * np.array([one.height_m for one in storeys])
+    for number, storey in enumerate(storeys, 1):
+        if not (storey.area_m2 > 0.0 and storey.weight_n > 0.0 and storey.compression_pa >= 0.0):
+            raise ValueError(
+                f"storey {number}: expected an area and a weight above 0, got {storey}"
+            )
+    weight = np.array([storey.weight_n for storey in storeys])
+    moment = weight * np.array([storey.height_m for storey in storeys])
     above = np.cumsum(moment[::-1])[::-1] / moment.sum()
-    strength = np.array([one.area_m2 * tau(one.compression_pa, tau0_pa, shape) for one in storeys])
-    found = piers * spandrels * strength / (above * weight.sum())
-    return float(found.min()), int(found.argmin()) + 1
+    strength = np.array(
+        [storey.area_m2 * tau(storey.compression_pa, tau0_pa, shape) for storey in storeys]
+    )
+    ratios = piers * spandrels * strength / (above * weight.sum())
+    return float(ratios.min()), int(ratios.argmin()) + 1
 
 
 def tau(compression_pa, tau0_pa, shape=SLENDER):
@@ -152,13 +156,13 @@ def storeys_of(area_share, floors, floor_pa, storey_m, walls_share=None):
     -------
     list of Storey
     """
-    total, found = walls_share or 2.0 * area_share, []
+    total, storeys = walls_share or 2.0 * area_share, []
     wall = DENSITY_KG_M3 * GRAVITY_M_S2 * storey_m * total
     for level in range(1, floors + 1):
         here = wall if level < floors else 0.5 * wall
         above = (floors - level + 1) * floor_pa + (floors - level + 0.5) * wall
-        found.append(Storey(area_share, floor_pa + here, level * storey_m, above / total))
-    return found
+        storeys.append(Storey(area_share, floor_pa + here, level * storey_m, above / total))
+    return storeys
 
 
 def storeys_of_plan(plan, floor_pa, axis="y"):
@@ -172,7 +176,7 @@ def storeys_of_plan(plan, floor_pa, axis="y"):
     list of Storey
     """
     levels = [floor.level_m for floor in plan.floors]
-    edges, found = [0.0, *levels], []
+    edges, storeys = [0.0, *levels], []
     gravity = DENSITY_KG_M3 * GRAVITY_M_S2
     wide, deep = (max(w.length_m for w in plan.walls if w.axis == k) for k in (0, 1))
     area, along = wide * deep, "xy".index(axis)
@@ -194,8 +198,8 @@ def storeys_of_plan(plan, floor_pa, axis="y"):
         resists = sum(_pier_area(w, middle) for w in piers)
         if not resists > 0.0:
             raise ValueError(f"plan {plan.name}: no wall along {axis} but façades")
-        found.append(Storey(resists, weight, level, above / section(middle)))
-    return found
+        storeys.append(Storey(resists, weight, level, above / section(middle)))
+    return storeys
 
 
 def _pier_area(wall, z):
@@ -234,10 +238,11 @@ def main(arguments=None):
         middle, low, high = with_interval(storeys, tau0, shape=args.pier_shape)
     except ValueError as error:
         parser.error(str(error))
-    for number, one in enumerate(storeys, 1):
+    for number, storey in enumerate(storeys, 1):
         print(
-            f"storey {number}: walls {one.area_m2:.3g} m², weight {1e-3 * one.weight_n:.3g} kN, "
-            f"compression {1e-6 * one.compression_pa:.3g} MPa"
+            f"storey {number}: walls {storey.area_m2:.3g} m², "
+            f"weight {1e-3 * storey.weight_n:.3g} kN, "
+            f"compression {1e-6 * storey.compression_pa:.3g} MPa"
         )
     print(f"V/W = {middle:.2f}, {low:.2f} to {high:.2f} ({args.masonry})")
     print(f"smdof:\n  base_shear_ratio: {middle:.2f}")

@@ -72,7 +72,7 @@ def draw_probability(axis, place, table, row, top):
     kind = MODELS[row["model"]]
     colour = np.array(to_rgb(kind.colour))
     dense = table[table["realisations"].notna() & table["probability_yade"].isna()]
-    own = table[table["probability_yade"].notna()]
+    by_yade = table[table["probability_yade"].notna()]
     pga, share = dense["pga_g"].to_numpy(float), dense["probability"].to_numpy(float)
     side = (place - HALF, place + HALF)
     if len(pga):
@@ -84,7 +84,7 @@ def draw_probability(axis, place, table, row, top):
         axis.fill_betweenx((low, high), *side, fc="white", ec=colour, hatch="////", lw=0.0)
         axis.fill_betweenx((high, max(top, high)), *side, color=colour, lw=0.0)
     axis.plot((side[0],) * 2 + (side[1],) * 2, (top, 0.0, 0.0, top), color=kind.colour, lw=0.6)
-    for _, run in own.iterrows():
+    for _, run in by_yade.iterrows():
         face = 1.0 - run["probability_yade"] * (1.0 - colour)
         symbol = {"mfc": face, "mec": "k", "mew": 0.6, "zorder": 4, "clip_on": False}
         axis.plot(place, run["pga_g"], kind.marker, **symbol)

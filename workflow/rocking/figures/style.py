@@ -85,8 +85,8 @@ def _meets(line, box):
 
 def _outside(axis, handle):
     """Whether a legend's entry stands for a line that never enters the axes."""
-    own = isinstance(handle, Line2D) and handle.axes is axis and np.size(handle.get_xdata())
-    return bool(own) and not _meets(handle, axis.get_window_extent())
+    drawn = isinstance(handle, Line2D) and handle.axes is axis and np.size(handle.get_xdata())
+    return bool(drawn) and not _meets(handle, axis.get_window_extent())
 
 
 def _covers(legend, axis):
@@ -125,12 +125,12 @@ def _settle(axis):
         return False
     handles, labels = axis.get_legend_handles_labels()
     texts = [text.get_text() for text in legend.get_texts()]
-    own = texts == labels
-    gone = [own and _outside(axis, handle) for handle in handles]
+    as_labelled = texts == labels
+    gone = [as_labelled and _outside(axis, handle) for handle in handles]
     covers = _covers(legend, axis)
     if not covers and not any(gone):
         return False
-    if own:
+    if as_labelled:
         kept = [(h, t) for h, t, out in zip(handles, labels, gone, strict=True) if not out]
     else:
         kept = list(zip(legend.legend_handles, texts, strict=True))

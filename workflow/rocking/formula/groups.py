@@ -126,7 +126,7 @@ def dimensions(case):
             f"formula: return_wall.friction_deg = {show(wall['friction_deg'])}: the formula is of "
             "façades with the friction of their base"
         )
-    mass, own = wall["building_mass_kg"], facade.density_kg_m3 * h * b * w
+    mass, facade_kg = wall["building_mass_kg"], facade.density_kg_m3 * h * b * w
     if case.kind.two_way and not mass:
         raise OutsideError(
             "formula: return_wall.building_mass_kg: expected the building's mass, stated, with "
@@ -139,7 +139,7 @@ def dimensions(case):
         "density_kg_m3": facade.density_kg_m3,
         "friction_deg": facade.friction_deg,
         "period_s": chain["period_s"],
-        "mass_ratio": mass / own if mass else None,
+        "mass_ratio": mass / facade_kg if mass else None,
         "contact_damping": case["beta_s"] * beta.groups(case.sections)["omega_c_rad_s"],
         "storeys": chain["n_dof"],
         **({"base_shear_ratio": chain["base_shear_ratio"]} if yields(chain) else {}),

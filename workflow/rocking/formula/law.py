@@ -60,10 +60,10 @@ def check_limits(row, model, law):
             )
 
 
-def total(part, found):
+def total(part, terms):
     """Σ c_k t_k of a part of the file: terms, coefficients."""
     pairs = zip(part["terms"], part["coefficients"], strict=True)
-    return math.fsum(c * found[name] for name, c in pairs)
+    return math.fsum(c * terms[name] for name, c in pairs)
 
 
 def said(row, model, measure="pga_g", base=None, law=None):
@@ -83,27 +83,27 @@ def said(row, model, measure="pga_g", base=None, law=None):
     check_limits(row, model, law)
     ratio = row.get("base_shear_ratio")
     unknown = {name: ends[0] for name, ends in law["limits"].items() if row[name] is None}
-    found = groups.terms({**row, **unknown})
-    value, error = _elastic(row, model, measure, base, found, law)
+    terms = groups.terms({**row, **unknown})
+    value, error = _elastic(row, model, measure, base, terms, law)
     if ratio is not None and "period_s" not in NOT_FOR[model]:
         own_g, ground_g = (
-            math.exp(_elastic(row, name, "pga_g", base, found, law)[0]) for name in (model, "W1")
+            math.exp(_elastic(row, name, "pga_g", base, terms, law)[0]) for name in (model, "W1")
         )
         more, its_error = yielding.log_ratio(own_g, ground_g, ratio, model)
         value, error = value + more, math.hypot(error, its_error)
     return math.exp(value), law["models"][model][measure]["dispersion"], error
 
 
-def _elastic(row, model, measure, base, found, law):
+def _elastic(row, model, measure, base, terms, law):
     """Logarithm of the median before an elastic building, and its standard error."""
-    own = law["models"][model][measure]
-    value, error = math.log(groups.tan_alpha(row)) + total(own, found), own["error"]
+    fit = law["models"][model][measure]
+    value, error = math.log(groups.tan_alpha(row)) + total(fit, terms), fit["error"]
     if base not in (None, law["made_of"]["base"]):
         if base not in law["bases"]:
             other = listed([law["made_of"]["base"], *law["bases"]])
             raise OutsideError(f"formula: facade.base = {base}: the atlas has {other}")
         ratio = law["bases"][base][model]
-        value, error = value + total(ratio, found), math.hypot(error, ratio["error"])
+        value, error = value + total(ratio, terms), math.hypot(error, ratio["error"])
     return value, error
 
 
@@ -183,8 +183,8 @@ def estimate(case: "Case", measure: str = "pga_g", law: str | Path | None = None
     Examples
     --------
     >>> from rocking import Case, estimate
-    >>> found = estimate(Case.configured("W1", {"facade.base": "column"}))
-    >>> bool(0.2 < found.median < 0.6)
+    >>> formula = estimate(Case.configured("W1", {"facade.base": "column"}))
+    >>> bool(0.2 < formula.median < 0.6)
     True
     """
     if not hasattr(case, "model"):
@@ -208,7 +208,7 @@ def base_of(base, courses, courses_growth, law):
         if (row["courses"], row["courses_growth"]) == (courses, courses_growth):
             return row["name"]
     has = [f"{row['courses']} of growth {row['courses_growth']:g}" for row in known]
-    stacks = listed(one for one in has if not one.startswith("0 ")) or "none"
+    stacks = listed(stack for stack in has if not stack.startswith("0 ")) or "none"
     raise OutsideError(
         f"formula: facade.courses = {courses} of growth {courses_growth:g}: "
         f"of stacks the atlas has {stacks}"

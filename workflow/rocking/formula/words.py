@@ -17,7 +17,8 @@ REACH = 2.0  # standard errors beyond which a computed value is remarked upon
 
 def of_runs(settings):
     """Lines of `of_run` for the first runs of a study, by its resolved configurations."""
-    return [line for one in list(settings.items())[:MOST] if (line := of_run(*one))]
+    first = list(settings.items())[:MOST]
+    return [line for name, resolved in first if (line := of_run(name, resolved))]
 
 
 def _estimated(resolved, model):
@@ -39,11 +40,11 @@ def of_run(name, resolved):
     if all(resolved[section] == usual[section] for section in OWN):
         return ""
     every = [_estimated(resolved, model) for model in MODELS if model in resolved["models"]]
-    found = [one for one in every if one]
-    if not found:
+    estimates = [of_model for of_model in every if of_model]
+    if not estimates:
         return ""
-    said = ", ".join(f"{one.model} {one.median:.2g} g" for one in found)
-    factor = math.exp(max(one.dispersion for one in found))
+    said = ", ".join(f"{of_model.model} {of_model.median:.2g} g" for of_model in estimates)
+    factor = math.exp(max(of_model.dispersion for of_model in estimates))
     return (
         f"{name}: by the formula half of the motions fell it at a PGA of {said} "
         f"(two thirds of them within a factor of {factor:.2g}; workflow/studies/atlas/page.md)"
@@ -64,22 +65,22 @@ def outliers(resolved, table):
 
     The table has model, median_pga_g and stations.
     """
-    found = []
+    judged = []
     for row in table.to_dict("records"):
-        own = _estimated(resolved, row["model"])
-        found += [outlier(own, row["median_pga_g"], row["stations"])] if own else []
-    return [one for one in found if one is not None]
+        expected = _estimated(resolved, row["model"])
+        judged += [outlier(expected, row["median_pga_g"], row["stations"])] if expected else []
+    return [outside for outside in judged if outside is not None]
 
 
-def outlier(found, computed_g, stations):
+def outlier(expected, computed_g, stations):
     """`Outlier` of a computed median that lies outside of the formula's range; else None.
 
     Its standard error is the formula's own, and that of a median over motions of so few stations.
     """
     if not (math.isfinite(computed_g) and computed_g > 0.0 and stations > 0):
         return None
-    error = math.hypot(found.error, found.dispersion / math.sqrt(stations))
-    if abs(math.log(computed_g / found.median)) <= REACH * error:
+    error = math.hypot(expected.error, expected.dispersion / math.sqrt(stations))
+    if abs(math.log(computed_g / expected.median)) <= REACH * error:
         return None
-    low, high = (found.median * math.exp(sign * REACH * error) for sign in (-1.0, 1.0))
-    return Outlier(found.model, computed_g, low, high)
+    low, high = (expected.median * math.exp(sign * REACH * error) for sign in (-1.0, 1.0))
+    return Outlier(expected.model, computed_g, low, high)

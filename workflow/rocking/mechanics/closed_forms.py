@@ -305,10 +305,10 @@ def tip_over_compliant_base(h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2=GRAV
     if b_m**3 / 12.0 <= q * h_m / 2.0:
         return math.nan, 0.0
     alpha = math.atan2(b_m, h_m)
-    found = scipy.optimize.minimize_scalar(
+    minimum = scipy.optimize.minimize_scalar(
         lambda t: -capacity_compliant_base(t, h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2),
         bounds=(0.0, alpha),
         method="bounded",
         options={"xatol": 1e-10 * alpha},
     )
-    return float(found.x), float(-found.fun)
+    return float(minimum.x), float(-minimum.fun)

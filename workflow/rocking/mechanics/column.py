@@ -116,7 +116,7 @@ def capacity(d_over_b, gamma, ratio, edges=None):
             lambda x: _down(x, top, gamma, ratio, edges)[0], low, low + STEP * ratio, xtol=1e-15
         )
 
-    def found(d):
+    def multiplier_at(d):
         def excess(top):
             return _down(multiplier(top), top, gamma, ratio, edges)[1] - d
 
@@ -127,4 +127,4 @@ def capacity(d_over_b, gamma, ratio, edges=None):
                 raise ValueError(f"d_over_b = {d:.4g}: no equilibrium was found")
         return multiplier(brentq(excess, low, WIDER * low, xtol=1e-13))
 
-    return np.array([found(d) for d in wanted])
+    return np.array([multiplier_at(d) for d in wanted])

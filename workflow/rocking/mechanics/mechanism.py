@@ -100,8 +100,8 @@ class Mechanism:
             for gone in (pull.slack_m, pull.reach_m):
                 if 0.0 < gone < math.inf and (turned := self._turned(pull, gone)) is not None:
                     grid |= {turned, turned * (1.0 + BESIDE)}
-        found = np.array(sorted(grid))
-        return found, self.multiplier(found)
+        rotations = np.array(sorted(grid))
+        return rotations, self.multiplier(rotations)
 
     def falls(self):
         """Whether α vanishes at some rotation; squat blocks between held levels lock instead."""
@@ -142,8 +142,8 @@ class Mechanism:
         end, itself included, so α there is that of the curve before the drop. The second value
         tells whether it is a pull's end.
         """
-        found, early = self._limits(share)
-        return found, early is not None
+        limit_m, early = self._limits(share)
+        return limit_m, early is not None
 
     def early(self, share):
         """The pull whose end sets `limit`; None where that is the share of d0."""
@@ -151,13 +151,13 @@ class Mechanism:
 
     def without(self, pull):
         """The mechanism without one of its pulls."""
-        left = tuple(one for one in self.pulls if one is not pull)
+        left = tuple(other for other in self.pulls if other is not pull)
         return replace(self, pulls=left, _rotations={})
 
     def _limits(self, share):
         """`limit`'s displacement, and the pull that sets it or None."""
         theta0, d0 = self.ultimate()
-        found, early = share * d0, None
+        limit_m, early = share * d0, None
         grid, alpha = self._course
         largest = max(alpha[grid <= theta0])
         for pull in self.pulls:
@@ -167,9 +167,9 @@ class Mechanism:
             if end is None or end >= theta0:
                 continue
             drop = self.multiplier(end) - self.multiplier(end * (1.0 + BESIDE))
-            if drop > 0.5 * largest and self.displacement(end) < found:
-                found, early = self.displacement(end), pull
-        return found, early
+            if drop > 0.5 * largest and self.displacement(end) < limit_m:
+                limit_m, early = self.displacement(end), pull
+        return limit_m, early
 
     def participation(self, letter=False):
         """Participating mass by the virtual displacements δ = y'(0) of the weights.
@@ -188,10 +188,10 @@ class Mechanism:
             M*, e*, d*/d_C.
         """
         p, delta = self._moved
-        one, two = p @ delta, p @ delta**2
-        mass = one**2 / (GRAVITY_M_S2 * two)
+        linear, squared = p @ delta, p @ delta**2
+        mass = linear**2 / (GRAVITY_M_S2 * squared)
         counted = p.sum() if letter else p[np.abs(delta) > 1e-12 * np.abs(delta).max()].sum()
-        return mass, GRAVITY_M_S2 * mass / counted, two / (rate(self.control, 0.0)[0] * one)
+        return mass, GRAVITY_M_S2 * mass / counted, squared / (rate(self.control, 0.0)[0] * linear)
 
     @cached_property
     def _moved(self):

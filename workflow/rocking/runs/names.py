@@ -32,7 +32,8 @@ def _pattern(tree):
         if letter:
             letters[_pattern(below)].append(re.escape(letter))
     ways = [
-        (one[0] if len(one) == 1 else f"[{''.join(one)}]") + rest for rest, one in letters.items()
+        (heads[0] if len(heads) == 1 else f"[{''.join(heads)}]") + rest
+        for rest, heads in letters.items()
     ]
     if not ways:
         return ""

@@ -210,8 +210,8 @@ class Runs:
     def curves(self, run) -> list[CurveKey]:
         """Every curve of a run."""
         resolved = self.settings[run]
-        found = product(resolved["models"], self.records[run], resolved["directions"])
-        return [CurveKey(*names) for names in found]
+        keys = product(resolved["models"], self.records[run], resolved["directions"])
+        return [CurveKey(*names) for names in keys]
 
     def confirmed(self, run) -> list[str]:
         """Records whose dense scans YADE confirms: one of every `ida.confirm_every`, or one."""

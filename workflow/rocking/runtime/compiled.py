@@ -72,13 +72,13 @@ class KeptLoops(IndexDataCacheFile):
 
     def load(self, key):
         """Read machine code; none where it is this process's turn to compile it."""
-        found = super().load(key)
-        if found is None and (lock := self._lock(key)) not in self._turns:
+        code = super().load(key)
+        if code is None and (lock := self._lock(key)) not in self._turns:
             self._wait(lock)
-            found = super().load(key)
-            if found is not None:
+            code = super().load(key)
+            if code is not None:
                 self._done(lock)
-        return found
+        return code
 
     def save(self, key, data):
         """Keep what was compiled; one process at a time where the file system has locks."""

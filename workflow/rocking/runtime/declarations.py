@@ -18,7 +18,7 @@ def made_twice(rules):
         for path in map(str, rule.output):
             first = makers.setdefault(_NAME.sub("{", path), rule)
             if first is not rule:
-                path = _CONSTRAINT.sub(lambda found: f"{{{found[1]}}}", path)
+                path = _CONSTRAINT.sub(lambda match: f"{{{match[1]}}}", path)
                 return (
                     f"{_named(rule)} makes {path}, which {_named(first)} makes already; "
                     "expected another name for it"

@@ -21,5 +21,5 @@ def left_out_if_unknown(what):
 
 def expect_parameters(function, *names):
     """Raise TypeError where a function of Snakemake takes other parameters than these."""
-    if tuple(found := inspect.signature(function).parameters) != names:
-        raise TypeError(f"{function.__qualname__} takes {listed(found)}")
+    if tuple(parameters := inspect.signature(function).parameters) != names:
+        raise TypeError(f"{function.__qualname__} takes {listed(parameters)}")

@@ -25,11 +25,11 @@ def of_runs(runs, words):
     That of the runs that have a `results/<run>/report/summary.rst` comes first, then `words`, the
     path of the text for all; where no report is asked for or no run has an answer it is `words`.
     """
-    found = [Path("results") / run / "report" / "summary.rst" for run in runs]
-    found = [path for path in found if path.is_file()]
-    if not found or not any(word.startswith("--report") for word in sys.argv):
+    pages = [Path("results") / run / "report" / "summary.rst" for run in runs]
+    pages = [path for path in pages if path.is_file()]
+    if not pages or not any(word.startswith("--report") for word in sys.argv):
         return words
-    texts = [path.read_text("utf-8") for path in (*found, Path(words))]
+    texts = [path.read_text("utf-8") for path in (*pages, Path(words))]
     PAGE.parent.mkdir(exist_ok=True)
     PAGE.write_text(STYLE + "\n".join(texts), encoding="utf-8")
     return str(PAGE.resolve())

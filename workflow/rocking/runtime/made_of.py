@@ -70,7 +70,7 @@ class Notes:
                 notes.known[name] = content, of
         return notes
 
-    def add(self, found):
+    def add(self, notes):
         """Note files, (digest, digest of what it was made of) by name.
 
         OSError without room, or where something else stands in the place: what a link leads to
@@ -78,8 +78,8 @@ class Notes:
         """
         if os.path.lexists(self.path) and not _own_file(self.path):
             raise OSError(errno.EINVAL, NO_FILE)
-        self.known.update(found)
-        self.lines += len(found)
+        self.known.update(notes)
+        self.lines += len(notes)
         if self.lines > 50 + MOST_STALE * len(self.known):
             write_atomic(self.path, _text(self.known))
             self.lines = len(self.known)
@@ -90,7 +90,7 @@ class Notes:
                 handle.seek(-1, os.SEEK_END)
                 if handle.read(1) != b"\n":
                     handle.write(b"\n")
-            handle.write(_text(found).encode())
+            handle.write(_text(notes).encode())
 
 
 def _own_file(path):
@@ -98,9 +98,9 @@ def _own_file(path):
     return os.path.isfile(path) and not os.path.islink(path)
 
 
-def _text(found):
+def _text(notes):
     """Lines of files."""
-    entries = ([name, *digests] for name, digests in found.items())
+    entries = ([name, *digests] for name, digests in notes.items())
     return "".join(json.dumps([*entry, _sum(entry)]) + "\n" for entry in entries)
 
 
@@ -175,8 +175,8 @@ class MadeOf:
 
     def _input(self, path):
         """Digest of an input; of a result that is not there, of what was there."""
-        found = self.digest(path)
-        return found or (self.noted(path) or ("",))[0]
+        digest = self.digest(path)
+        return digest or (self.noted(path) or ("",))[0]
 
     def of(self, job):
         """Digest of what a job makes its files of."""
@@ -192,19 +192,19 @@ class MadeOf:
         if self.copies(job):
             inputs = {os.path.basename(path): self.digest(path) for path in map(str, job.input)}
             return [p for p, now in there.items() if inputs.get(os.path.basename(p)) != now]
-        found, of = [], None
+        unfit, of = [], None
         for path, now in there.items():
             if self.place(path) is None:
                 continue
             if (note := self.noted(path)) is None:
-                found.append(path)
+                unfit.append(path)
                 continue
             of = of or self.of(job)
             if note[0] != now:
                 self._say(f"{path} was changed after it was made: it is made again")
             if note != (now, of):
-                found.append(path)
-        return found
+                unfit.append(path)
+        return unfit
 
     def _say(self, line):
         if line not in self.said and len(self.said) < MOST_SAID:
@@ -229,14 +229,14 @@ class MadeOf:
     def note(self, job):
         """Note the files that a job has made, of what it was about to read where that is known."""
         of = self.began.pop(tuple(map(str, job.output)), None)
-        found: dict[Path, dict] = {}
+        by_folder: dict[Path, dict] = {}
         for path in map(str, job.output):
             there, digest = self.place(path), self.digest(path)
             if there is None or not digest:
                 continue
             of = of or self.of(job)
-            found.setdefault(there[0].path.parent, {})[there[1]] = digest, of
-        for folder, notes in found.items():
+            by_folder.setdefault(there[0].path.parent, {})[there[1]] = digest, of
+        for folder, notes in by_folder.items():
             try:
                 self.notes[folder].add(notes)
             except OSError as error:
@@ -274,8 +274,8 @@ def heed(workflow, results, base, own, copies):
     def input_changed(self, job, file=None):
         if file is not None:
             return before["input_changed"](self, job, file=file)
-        found = list(before["input_changed"](self, job))
-        return iter(found or (made.unfit(job) if own(job) else ()))
+        changed = list(before["input_changed"](self, job))
+        return iter(changed or (made.unfit(job) if own(job) else ()))
 
     def input_checksums(self, job, input_path):
         if not own(job) or copies(job) or not all(map(made.noted, job.output)):

@@ -132,8 +132,8 @@ class Progress:
                 others[task.rule].append(whole / registry.cost(task.model))
 
         def mean(task):
-            if own := measured[task.kind]:
-                return fmean(own)
+            if same_kind := measured[task.kind]:
+                return fmean(same_kind)
             known = others.get(task.rule)
             return fmean(known) * registry.cost(task.model) if known else SHORT_S
 

@@ -67,7 +67,7 @@ def _make_own_folder(path):
         path.mkdir(parents=True, exist_ok=True)
     except (FileExistsError, NotADirectoryError):
         wrong = next(
-            one for one in (path.parent, path) if os.path.lexists(one) and not one.is_dir()
+            place for place in (path.parent, path) if os.path.lexists(place) and not place.is_dir()
         )
         raise ValueError(f"{wrong}: {NO_FOLDER}") from None
     if path.is_symlink():

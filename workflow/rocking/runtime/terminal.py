@@ -71,18 +71,18 @@ def name_targets(targets, logger=None, runs=()):
     def explain(record):
         if str(record.msg).startswith("Missing metadata for file"):
             return False
-        if found := _UNMADE.search(str(record.msg)):
+        if match := _UNMADE.search(str(record.msg)):
             record.msg = (
-                f"error: no report yet, {found[1]} is missing: first the same without --report"
+                f"error: no report yet, {match[1]} is missing: first the same without --report"
             )
-        if found := _NO_RULE.search(str(record.msg)):
+        if match := _NO_RULE.search(str(record.msg)):
             names = targets()
-            near = difflib.get_close_matches(found[1], names, 1)
+            near = difflib.get_close_matches(match[1], names, 1)
             several = _several(names)
             said = f"did you mean {near[0]}?" if near else several
-            if "/" in found[1]:
-                said = _about_file(found[1], runs)
-            record.msg = f"No rule to produce {found[1]}: {said}"
+            if "/" in match[1]:
+                said = _about_file(match[1], runs)
+            record.msg = f"No rule to produce {match[1]}: {said}"
         if "Target rules may not contain wildcards" in str(record.msg):
             said = _several(targets())
             record.msg = f"a rule of many files is no target: name a file of its; {said}"
