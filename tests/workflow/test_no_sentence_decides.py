@@ -139,7 +139,7 @@ def test_no_rule_and_no_template_does_either():
     found = {path.name: faults(as_python(path.read_text("utf-8"))) for path in rules}
     folder = ROOT / "workflow"
     pages = [path for kind in ("html", "rst", "j2") for path in folder.rglob(f"*.{kind}")]
-    assert len(pages) > 10
+    assert len(pages) > 5
     found |= {path.name: in_tags(path.read_text("utf-8")) for path in pages}
     assert {name: lines for name, lines in found.items() if lines} == {}
     assert in_tags("{% if said == 'it does not stand' %}")
@@ -158,7 +158,7 @@ def test_no_code_compares_with_a_sentence():
                 continue
             count += 1
             found += [f"{name}:{line}" for line in faults(path.read_text("utf-8"))]
-    assert count > 350
+    assert count > 200
     assert found == []
 
 
