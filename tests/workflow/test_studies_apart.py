@@ -135,7 +135,7 @@ def planned(project, *words):
     return done.returncode, done.stdout + done.stderr
 
 
-def tested(project, *words):
+def passes(project, *words):
     """Run tests of a copy of the project, by the copy's own packages."""
     path = os.pathsep.join(map(str, (project, project / "workflow")))
     done = subprocess.run(
@@ -172,8 +172,8 @@ def test_without_any_of_them_the_main_job_is_planned(tmp_path):
     assert status == 1
     assert "return_wall.building_mass_kg: null; W2m takes the building's mass" in said
     assert targets(tmp_path) == targets(study=None)
-    tested(tmp_path, "--collect-only", "tests")
-    tested(tmp_path, "-m", "not slow and not yade", *looking_around(tmp_path))
+    passes(tmp_path, "--collect-only", "tests")
+    passes(tmp_path, "-m", "not slow and not yade", *looking_around(tmp_path))
     for name in NAMES:
         shutil.move(tmp_path / name, tmp_path / "workflow" / "studies" / name)
         status, said = planned(tmp_path, "--list-target-rules")

@@ -1,5 +1,7 @@
 """The table of changes fits the code: each text is found where the table says, and changes it."""
 
+import re
+import shlex
 from pathlib import Path
 
 import pytest
@@ -36,6 +38,29 @@ def test_every_change_names_its_tests_and_every_survivor_its_reason():
             named = [word.split("::")[0] for word in named if there(word)]
             assert all((ROOT / word).exists() for word in named), named
             assert len(change.get("left", "a reason in words").split()) > 3
+
+
+def selected(words):
+    """What stands in the tests that an expression of pytest's selects from, and its words."""
+    given = shlex.split(words)
+    chosen = given[given.index("-k") + 1] if "-k" in given else ""
+    places = [ROOT / word.split("::")[0] for word in given if "/" in word and there(word)]
+    files = [
+        path
+        for place in places
+        for path in ([place] if place.is_file() else place.rglob("test_*.py"))
+    ]
+    texts = [path.name + path.read_text(encoding="utf-8") for path in files]
+    return texts, set(re.findall(r"\w+", chosen)) - {"or", "and", "not"}
+
+
+def test_what_selects_tests_names_some_that_are_there():
+    """A test that was renamed would otherwise leave its change to tests that do not see it."""
+    for name, entry in TABLE.items():
+        for words in {entry.get("tests"), *(c.get("tests") for c in entry["changes"])} - {None}:
+            texts, chosen = selected(words)
+            missed = [word for word in chosen if not any(word in text for text in texts)]
+            assert missed == [] or texts == [], name
 
 
 def test_an_ambiguous_change_is_refused():
