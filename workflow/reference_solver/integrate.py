@@ -101,9 +101,9 @@ def march(law, drive, factor, state, unit, control, segments, rows):
     """Advance one case with error control, friction returned at every step.
 
     The factor is on all accelerations, its sign on the horizontal ones alone. `unit`, shape (6,),
-    are those in which the errors of y, z, θ and their rates are measured. Rows, shape (n, COLUMNS),
-    are written unless there are none. Returns rows, how many were written, largest |d| [m], last d
-    [m], time [s].
+    are those in which the errors of y, z, θ and their rates are measured. The march fills `rows`,
+    shape (n, COLUMNS); n may be 0. Returns the rows, how many it filled, the largest |d| [m], the
+    last d [m] and the time [s].
     """
     u, v = np.zeros(segments + 1), np.zeros(segments + 1)
     stages, limit = np.empty((7, state.size)), np.empty(law.eta_m.size)

@@ -106,7 +106,7 @@ def compared(scan, ensemble, spread, error=0.01):
     Parameters
     ----------
     scan, ensemble : DataFrame
-        Of one curve; None or empty where there is none. Without a scan nothing is compared.
+        Tables of one curve. A missing table is None or empty; without a scan the result is empty.
     spread, error : float
 
     Returns

@@ -20,7 +20,7 @@ TABLE_COLUMNS = (
 
 
 def reporting(table):
-    """Rows of the half that reports; all where there are none."""
+    """Rows of the reporting half of a table; the whole table if it has no such half."""
     mine = table[table["half"] == REPORTING]
     return mine if len(mine) else table
 

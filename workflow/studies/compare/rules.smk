@@ -32,6 +32,8 @@ def compared_tables(wildcards):
                 f"compare: no finished run '{run}' (no file {missing[0]}); "
                 f"there are {listed(there) or 'none'}"
             )
+        if run not in RUNS.settings and (gone := finished.models_gone(path)):
+            stop(f"compare: {gone}")
     if len(compared()) < 2:
         stop(
             "compare: one run only; give a grid, scenarios, or finished runs, as in"

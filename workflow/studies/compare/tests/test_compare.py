@@ -6,7 +6,7 @@ import shutil
 
 import pytest
 from forked import snakemake as started
-from studies.compare.finished import curves_of
+from studies.compare.finished import curves_of, models_gone
 
 pytestmark = pytest.mark.slow
 
@@ -26,9 +26,14 @@ def read(path):
         return list(csv.DictReader(handle))
 
 
-def test_a_finished_run_s_curves_are_read_as_text(tmp_path):
+def test_a_run_of_a_model_that_is_gone_is_told_in_one_line(tmp_path):
     path = tmp_path / "ida_collapse.csv"
+    path.write_text("model,record,pga_safe_g\nW1,A,0.2\nW9,A,0.1\nW8,B,0.1\n")
+    said = models_gone(path)
+    assert said.startswith(f"{path}: no model W8, W9 any more; expected W1, ")
+    assert "\n" not in said
     path.write_text("model,record,pga_safe_g\nW1,A,0.2\n")
+    assert models_gone(path) == ""
     assert curves_of(path) == [{"model": "W1", "record": "A", "pga_safe_g": "0.2"}]
 
 
